@@ -421,6 +421,16 @@ def test_without_webgl_the_drawing_is_shown_and_a_message_says_that_it_does_not_
         np.testing.assert_allclose(viewer.run("stage.tree.pose()"), YOUBOT.fk(viewer.get("q")), atol=1e-12)
 
 
+def test_without_webgl_a_tall_drawing_is_shown_whole(chromium_without_webgl, tmp_path):
+    raised = np.outer([-0.2, 0, 0.2], [1, -2, 1, 1, -2, 1])
+    shown = drive(kl.linkages.sarrus(), raised[0], curves=[raised], across=("foot x", "knee x"), labels=["raised"])
+    with watched(chromium_without_webgl, viewport={"width": 450, "height": 800}) as page:
+        page.goto(static_page(tmp_path, shown.html()).as_uri())
+        frame, image = (page.locator(name).bounding_box() for name in (".kv-picture", ".kv-still img"))
+        assert image["y"] >= frame["y"]
+        assert image["height"] <= frame["height"]
+
+
 def test_without_webgl_nothing_is_folded_once_the_prediction_is_made(chromium_without_webgl, tmp_path, monkeypatch):
     monkeypatch.setenv(ENVIRONMENT_VARIABLE, "1")
     with watched(chromium_without_webgl) as page:

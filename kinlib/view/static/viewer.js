@@ -4274,8 +4274,8 @@ ${i.map(s=>an(s)?"    ...,":`    pose((${[0,1,2].map(r=>e(Be(s,r))).join(", ")})
 .kv-left { min-width: 0; display: flex; flex-direction: column; border-right: 1px solid var(--edge); background: var(--card); }
 .kv-picture { position: relative; min-width: 0; }
 .kv-canvas { display: block; width: 100%; cursor: grab; touch-action: pan-y; outline-offset: -3px; }
-.kv-still { position: absolute; inset: 0; overflow: hidden; display: grid; place-content: center; text-align: center; background: var(--card); }
-.kv-still img { max-width: 100%; max-height: 100%; }
+.kv-still { position: absolute; inset: 0; overflow: hidden; container-type: size; display: grid; place-content: center; text-align: center; background: var(--card); }
+.kv-still img { display: block; max-width: 100%; max-height: 100cqh; object-fit: contain; }
 .kv-still figcaption { display: none; } /* the panel says it */
 .kv-canvas:focus { touch-action: none; }
 .kv-canvas:active { cursor: grabbing; }
