@@ -28,7 +28,6 @@ from kinlib.arrays.validation import Array
 from kinlib.mechanisms import linkages
 from kinlib.view.figures.linkage import draw_linkage
 from misstep.answers.angle import Angles
-from misstep.answers.base import Named
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
@@ -410,10 +409,6 @@ class CountsAnswer(Numbers):
     @property
     def parts(self) -> Sequence[str]:
         return self.names
-
-    def placeholder(self, given: Array) -> Named | None:
-        """Return nothing: counts may all be 0, or all be 1."""
-        return None
 
 
 @problem("08.9", "A tray that stays level", points=3, lecture="08_closed_chains#Where counting fails", level="Open")

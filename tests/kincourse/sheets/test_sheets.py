@@ -14,13 +14,11 @@ from latex2mathml.converter import convert
 from odd_robots import generated_sheet
 
 from kincourse import attempt, blanks, find_question, find_sheet, open_sheet, sheets
-from kincourse.lecture_08_closed_chains.problems import CountsAnswer
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
 from misstep.display.lecture_address import page_address
 from misstep.judge import judge
 from misstep.mutants.mutants import nodes
-from misstep.problem import Problem
 from misstep.sheet import SAMPLE_ID
 from misstep.verdict import Verdict
 from misstep.worked_solution import worked_solution
@@ -59,11 +57,6 @@ def test_right_answers_score_mistakes_have_messages_and_students_have_different_
         assert judge(problem, rounded).state == "right", "three decimals are enough"
         for right in (answer.value, rounded):
             assert not any(answer.check(answer.read(right), part) for part in range(len(answer.parts)))
-
-
-def test_three_equal_counts_are_an_answer_with_right_parts():
-    problem = Problem("", CountsAnswer(np.array([-2.0, 1, 1]), names=("kutzbach", "infinitesimal", "finite")), [])
-    assert judge(problem, [1, 1, 1]).fraction == pytest.approx(2 / 3)
 
 
 @pytest.mark.parametrize("template", TEMPLATES + BLANK_STEPS, ids=lambda template: template.number)
