@@ -75,10 +75,8 @@ def long_axis(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Give $e^{[S]\\theta}$ for $\\omega = (0, 0, 2)$, $v = (1, 0, 0)$, $\\theta = \\pi/4$.",
         answer=PoseAnswer(T),
-        invisible=("coefficients swapped", "cos for 1 - cos"),
-        advice={
-            "angle kept": TO_THE_ANGLE,
-        },  # at a quarter turn, sin and 1 - cos are both 1
+        invisible=("coefficients swapped", "cos for 1 - cos"),  # at a quarter turn, sin and 1 - cos are both 1
+        advice={"angle kept": TO_THE_ANGLE},
     )
 
 

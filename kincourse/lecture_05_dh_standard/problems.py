@@ -245,9 +245,8 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
         f"convention. Its base frame 0 is at $T_{{s0}}$, and a camera {{b}} is mounted on frame 2 at $T_{{2b}}$:\n\n"
         f"$$T_{{s0}} = {matrix(base)}, \\qquad T_{{2b}} = {matrix(tool)}.$$\n\nGive the pose $T_{{sb}}(q)$ at $q = {vector(q)}$.",
         further="Can the base be written as a further row in front of the table? What must be true of it?",
-        figure=partial(
-            draw_table, table
-        ),  # drawn at zero, because the text alternative at q would give the answer away
+        # drawn at zero, because the text alternative at q would give the answer away
+        figure=partial(draw_table, table),
         given={"rows": np.array(rows), "base": base, "tool": tool, "q": q},
         answer=PoseAnswer(T),
         advice={
@@ -274,9 +273,8 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
             [np.array(sampler.shuffled(pair)) * (sampler.choice((-1, 1)), sampler.choice((-1, 1))) for pair in pairs]
         )
     climbs = sampler.choice(CLIMBS)
-    free = [
-        z for z in range(6, 13) if not {z, z + climbs[0], z + sum(climbs)} & {5, 10, 13}
-    ]  # no height is as large as a step
+    # no height is as large as a step
+    free = [z for z in range(6, 13) if not {z, z + climbs[0], z + sum(climbs)} & {5, 10, 13}]
     first = np.array((0, 0, sampler.choice(free)), dtype=float)
     second = first + np.append(sides[0], climbs[0])
     third = second + np.append(sides[1], climbs[1])

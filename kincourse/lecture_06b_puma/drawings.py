@@ -46,9 +46,8 @@ def draw_rotation_axes(order: str, angles: ArrayLike, names: tuple[str, str, str
     cosine = float(np.clip(axes[0] @ axes[2], -1, 1))
     angle = float(np.arctan2(np.linalg.norm(np.cross(axes[0], axes[2])), cosine))
     is_singular = min(angle, np.pi - angle) < SINGULAR_ANGLE_RAD
-    canvas = Canvas(
-        0.57 * np.concatenate([np.eye(3), -np.eye(3)]), size=(250, 250)
-    )  # margins take the rest of the arrows
+    # margins take the rest of the arrows
+    canvas = Canvas(0.57 * np.concatenate([np.eye(3), -np.eye(3)]), size=(250, 250))
     circle = np.linspace(0, 2 * np.pi, 60)[:, None]
     start = axes[2] * AXIS_3_SHARE
     canvas.line(np.cos(circle) * start + np.sin(circle) * np.cross(axes[1], start), PALE_GREY, 1.4, level=0.5)

@@ -12,8 +12,6 @@ from pathlib import Path
 
 from tidy_notebooks import TAG, is_checked, tidied
 
-import kinlib
-
 ROOT = Path(__file__).parents[2]
 GENERATED = {".venv", ".ipynb_checkpoints"}
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
@@ -95,7 +93,7 @@ def test_a_committed_notebook_has_no_output_except_short_checked_text(committed)
         assert path.stat().st_size <= 150_000, f"{name}: at most 150 kB; move large content to kinlib"
 
 
-# --- dependencies and versions ---
+# --- dependencies ---
 
 
 def name_of(requirement):
@@ -113,11 +111,6 @@ def test_every_dependency_is_pinned():
     named = {name_of(requirement) for requirement in requirements if isinstance(requirement, str)}
     pins = {name_of(line) for line in (ROOT / "constraints.txt").read_text("utf-8").splitlines() if line[0] not in "# "}
     assert named - pins == set(), "write it anew: guides/dependencies.md"
-
-
-def test_the_documents_have_the_version_of_the_packages():
-    assert f"\nversion: {kinlib.__version__}\n" in (ROOT / "CITATION.cff").read_text("utf-8")
-    assert f"## {kinlib.__version__}" in (ROOT / "CHANGELOG.md").read_text("utf-8")
 
 
 def test_the_wheel_has_every_file_of_the_packages(tmp_path):

@@ -155,9 +155,8 @@ def read_dictionaries(text: str, names: Mapping[str, Entry]) -> Grid | None:
     # Rows of cells are for another reader, and alpha = dh[:, 0] takes a column.
     text = re.sub(r"(?m)^.*\|.*$|=\s*\w+[\[(][^\])\n]{,40},.*", "", text)
     grid, end, pairs = Grid(names, rows=[{}]), 0, [*_pairs(text)]
-    bare = [
-        pair for pair in pairs if not re.match(r"\w*\d\s*[:=]", pair[2][0])
-    ]  # beside d, d4 = 0.3 is the value of a name
+    # beside d, d4 = 0.3 is the value of a name
+    bare = [pair for pair in pairs if not re.match(r"\w*\d\s*[:=]", pair[2][0])]
     for column, value, found in bare if {column for column, _, _ in bare} >= NEEDED else pairs:
         if grid.rows[-1] and (column in grid.rows[-1] or re.search("[)}]", text[end : found.start()])):
             grid.rows.append({})

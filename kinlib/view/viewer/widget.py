@@ -102,7 +102,6 @@ def as_script(state: Mapping[str, Any]) -> str:
     data = json.dumps(
         state, separators=(",", ":"), allow_nan=False, default=lambda data: base64.b64encode(data).decode()
     )
-    safe = data.replace(
-        "<", "\\u003c"
-    )  # a "<" could end the script or begin another one; JSON allows this escape for it
+    # a "<" could end the script or begin another one; JSON allows this escape for it
+    safe = data.replace("<", "\\u003c")
     return f'<script type="application/json">{safe}</script>'
