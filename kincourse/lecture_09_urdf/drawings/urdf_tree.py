@@ -61,7 +61,7 @@ def draw_urdf_tree(text: str, path: Sequence[str] = ()) -> Picture:
     closing = [edge for edge in edges if tree[edge.child] is not edge]
     on_path = {frozenset(pair) for pair in pairwise(path)}
     right = max(x for x, _ in places.values())
-    width = right + COLUMN_PX / 2 + BORDER_PX + (170 if closing else 60)
+    width = right + COLUMN_PX / 2 + BORDER_PX + (210 if closing else 60)
     height = max(y for _, y in places.values()) + BOX_HEIGHT_PX / 2 + BORDER_PX
     marks = [
         mark
@@ -115,15 +115,14 @@ def _arrow(edge: Edge, places: Mapping[str, Array], *, bold: bool) -> list[str]:
 
 def _closing_arrow(edge: Edge, places: Mapping[str, Array], right: float) -> list[str]:
     """A dashed arrow around the tree on its right."""
-    out = right + COLUMN_PX / 2 + 75
+    out = right + COLUMN_PX / 2 + 35
     start, end = (places[link] + np.array([dx, 0]) for link, dx in ((edge.parent, 46), (edge.child, 46)))
     corners = [start, np.array([out, start[1]]), np.array([out, end[1]]), end]
     # At the height of a box, because the labels of the other joints are between the boxes.
     label = np.array([out, start[1] + LEVEL_PX * ((end[1] - start[1]) // (2 * LEVEL_PX))])
     lines = [str(edge), f"second parent of {edge.child}"]
-    texts = [
-        svg.text(label + np.array([0, 10 * (2 * i - 1)]), line, ORANGE, FONT_PX - 1) for i, line in enumerate(lines)
-    ]
+    beside = label + np.array([0.29 * FONT_PX * max(map(len, lines)) + 8, 0])
+    texts = [svg.text(beside + np.array([0, 20 * k - 10]), line, ORANGE, FONT_PX - 1) for k, line in enumerate(lines)]
     return [*_stroke(corners, ORANGE, 2.2, "--"), *texts]
 
 
