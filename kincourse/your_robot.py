@@ -140,7 +140,7 @@ class Examination:
         if self.strict is None:
             letters, count = self.table.joints.replace("F", ""), f"{self.table.n} joint{'s'[: self.table.n != 1]}"
             has = f"The table has {count} ({letters}), and the arm has {self.arm.n} ({self.arm.joint_types})"
-            return f"{has}, so they cannot be compared. Choose another tip or base, or look for a missing row; name a fixed one flange."
+            return f"{has}, so they cannot be compared. Choose another tip or base, or write flange before a row without a joint."
         if self.strict.verdict == "right":
             return "The table agrees with the arm: the same q gives the same pose."
         size = _difference(self.table, self.arm, 3)
