@@ -202,7 +202,8 @@ def _without_noise(found: Map, joint_types: str, tolerance: float) -> Map:
 
     def pose(T: Array) -> Array:
         whole = np.round(T[:3, :3])  # of frames whose axes are parallel
-        if np.abs(T[:3, :3] - whole).max() <= tolerance and abs(np.linalg.det(whole) - 1) < 0.5:
+        is_rotation = np.array_equal(whole @ whole.T, np.eye(3)) and np.linalg.det(whole) > 0
+        if is_rotation and np.abs(T[:3, :3] - whole).max() <= tolerance:
             return homogeneous(whole + 0.0, cleaned(T[:3, 3]))
         omega = cleaned(log(T[:3, :3]))
         angle = np.asarray(np.linalg.norm(omega))

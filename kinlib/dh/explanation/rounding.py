@@ -17,6 +17,7 @@ from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, MAX_FITTED_M, Map, line
 from kinlib.dh.equivalence import ROUGH, Equivalence, equivalent
 from kinlib.dh.parsing import joint_entries
 from kinlib.dh.table import DHTable, rows_at
+from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import exp
 
 ALL_DECIMALS = 12
@@ -156,7 +157,8 @@ def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: 
         rows = nearest_rows(table, arm, start, fixed, np.maximum(half, 1e-6), tolerance=tolerance, few=True)
         if rows is not None:
             is_changed = np.abs(rows - table.rows) > 1.05 * np.maximum(half, 1e-6)
-            rows = np.where(np.arange(4) % 2, rows, np.round(rows / finest) * finest)
+            angles = np.where(np.abs(rows) > 2 * np.pi, wrap_angle(rows), rows)  # a fit may have made full turns
+            rows = np.where(np.arange(4) % 2, angles, np.round(rows / finest) * finest)
             nearest = table.changed(rows=np.where(is_changed, rows, table.rows))
             if equivalent(nearest, arm, fixed=fixed, tolerance=tolerance).verdict == "same":
                 return nearest

@@ -119,6 +119,15 @@ def test_what_is_fixed_and_differs_is_another_arm(name, seed, n):
     assert not equivalent(chain, other, fixed=[name])
 
 
+def test_a_map_is_rigid_however_large_the_tolerance():
+    arm = kl.robots.puma560()
+    for seed in range(20):
+        moved = arm.changed(home=arm.home @ kl.exp(np.random.default_rng(seed).normal(size=6)))
+        kl.inverse(
+            equivalent(arm, moved, fixed=["base", "zeros", "signs"], tolerance=0.8).tool
+        )  # refuses what is no pose
+
+
 def test_what_is_undecided_is_neither_true_nor_false():
     chain = arm(np.random.default_rng(3), 4, cases=(), angle=3e-8, slides=0)[0]
     table = kl.assign_frames(chain, convention="standard").table
