@@ -56,9 +56,9 @@ class Closure:
         modes, known, hits, idle_rounds = list[Array](), list[Array](), list[int](), 0
         lower = -np.pi - 1e-6  # so pi is -pi even with a rounding error
         # If every mode has been found at least twice, it is likely that none is missing (Good, 1953).
-        while idle_rounds < (30 if 1 in hits else 3):
+        while idle_rounds < (10 if 1 in hits else 1):
             idle_rounds += 1
-            guesses = rng.uniform(-self.search_range, self.search_range, (64, len(self.start)))
+            guesses = rng.uniform(-self.search_range, self.search_range, (192, len(self.start)))
             found = solve(self.equations, guesses, self.tolerance, iterations=40)
             # Near a solution a step squares the error, so one more step leaves only rounding errors.
             exact = solve(self.equations, found.x[found.residual <= self.tolerance], tolerance=0.0, iterations=1)
