@@ -35,7 +35,8 @@ def left_jacobian_inverse(x: ArrayLike) -> Array:
     The angle of x must be at most pi, as that of each twist which log returns.
     Source: J(x) is the integral of exp(s ad(x)) over s from 0 to 1, term by term.
     """
-    A, J = ad(x), np.asarray(np.eye(6))
-    for k in range(30, 1, -1):  # at half a turn the next term is below 1e-17
-        J = np.eye(6) + A @ J / k
+    A, identity = ad(x), np.eye(6)
+    squared, J = A @ A, identity
+    for k in range(30, 0, -2):  # two terms at a time; at half a turn the next one is below 1e-17
+        J = identity + A / k + squared @ J / (k * (k + 1))
     return np.asarray(np.linalg.inv(J))
