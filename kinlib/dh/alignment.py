@@ -59,7 +59,7 @@ class AxisInvariants:
         self._tolerances = np.concatenate([np.full(n - 1, tolerance), lengths, along])
         # Of more than nine joints at most two may have the sign -1.
         flips = [flip for count in range(n + 1 if n <= 9 else 3) for flip in combinations(range(n), count)]
-        self._patterns = s = np.array([np.where(np.isin(np.arange(n), flip), -1.0, 1.0) for flip in flips])
+        self._patterns = s = np.array([[-1.0 if k in flip else 1.0 for k in range(n)] for flip in flips])
         of_pairs = s[:, :-1] * s[:, 1:]
         no_sign = np.ones((len(s), len(self._parallel)))
         self._factors = np.hstack([of_pairs, of_pairs[:, self._skew], no_sign, s[:, self._runs[0] + 1]])
