@@ -85,4 +85,4 @@ def _parts(text: str) -> list[tuple[str, bool, int]]:
 
 
 def _pairs(points: Array) -> str:
-    return " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
+    return " ".join(f"{x:.1f},{y:.1f}" for x, y in points.tolist())  # plain numbers are written faster

@@ -9,7 +9,7 @@ import json
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -71,7 +71,7 @@ class Body:
     pose: Array = field(default_factory=lambda: np.zeros(0))
     source: str = "By rule, from the screw axes and the joint points."
 
-    @property
+    @cached_property
     def lowest(self) -> float:
         """The height of the floor, on which the base is."""
         standing = next((link for link in self.links if link), ())
