@@ -16,7 +16,7 @@ from markupsafe import Markup, escape
 
 from misstep.display.text import points
 from misstep.grading.escape import printable
-from misstep.grading.result import ABSENT, Result
+from misstep.grading.result import ABSENT, GRADED, Result
 from misstep.storage import from_data
 
 STATES = {
@@ -96,6 +96,7 @@ def report_page(results: Sequence[Result], sheet: str, attention: Sequence[str])
     totals = sorted(Counter(int(result.points) for result in present).items())
     figures: dict[str, Any] = {"count": count, "absent": len(results) - count, "max": present[0].max, "totals": totals}
     figures |= {"mean": sum(result.points for result in present) / count, "sheet": sheet, "attention": attention}
+    figures["ungraded"] = sum(result.status != GRADED for result in present)
     return _environment().get_template("report.html").render(figures, problems=problems)
 
 
