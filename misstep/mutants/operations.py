@@ -50,9 +50,8 @@ SLIDE: Operation = Operation("slide", lambda: None, str, table(
 ))
 """The kind of a length that is given beside angles in degrees, as the value of a prismatic joint is."""
 
-VECTOR: Operation = Operation("vector", lambda: None, str, table(
-    ("sign of a vector", f"{SIGN} |take each direction with the opposite sign", lambda x: negative(x)),
-))
+VECTOR: Operation = Operation("vector", lambda: None, str, table((
+    "sign of a vector", f"{SIGN} |take each direction with the opposite sign", lambda x: negative(x))))
 """The kind of a given vector."""
 
 radians: Operation = Operation("radians", np.radians, "{0}".format, table(
