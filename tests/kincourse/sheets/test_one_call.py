@@ -79,7 +79,7 @@ def solving_call(problem):
 @pytest.mark.filterwarnings("ignore")
 def test_few_problems_fall_to_one_call(monkeypatch):
     problems = [one for name in sheets() for one in find_sheet(name).problems]
-    monkeypatch.setattr(reprlib.Repr, "repr", lambda *_: "")  # nearly all calls fail, and nobody reads their messages
+    monkeypatch.setattr(reprlib, "repr", lambda _: "")  # nearly all calls fail, and nobody reads their messages
     with np.errstate(all="ignore"):
         falling = {one: call for one in problems if (call := solving_call(one.variant("ada")))}
     monkeypatch.undo()
