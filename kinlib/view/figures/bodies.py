@@ -23,14 +23,11 @@ from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
 from kinlib.urdf.xml_elements import Element
 
-DATA = json.loads(Path(__file__).parents[1].joinpath("bodies.json").read_text("utf-8"))
-
 SAME_AXES_TOL_M = 1e-3
 """An arm whose screws differ by less than this from those of a known robot, in metres and radians, has its body."""
 
 EDGE_SHARE = 0.16
 """How far the edges of drums and boxes are rounded, as a share of the radius or of the smallest half side."""
-
 
 X = np.array([1.0, 0, 0])
 
@@ -241,7 +238,8 @@ def _known_robots() -> list[tuple[Array, dict[str, Any]]]:
         pitch = [np.inf if len(axis) > 2 else 0.0 for axis in axes]
         return screw([_axis(axis[0]) for axis in axes], [axis[1] for axis in axes], pitch)
 
-    return [(screws(described["axes"]), described) for described in DATA.values()]
+    robots = json.loads(Path(__file__).parents[1].joinpath("bodies.json").read_text("utf-8")).values()
+    return [(screws(described["axes"]), described) for described in robots]
 
 
 class _Builder:

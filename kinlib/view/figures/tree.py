@@ -100,6 +100,8 @@ def branches(robot: Chain | Tree, visuals: tuple[Tree, str] | None = None) -> li
         found.append(Branch(tip, chain, drivers, factors, names, shared, links))
     if not found:
         raise ValueError(f"A tree must have a joint that moves by one value to be shown; {robot.name} has none.")
+    # The way to no tip leads over what is fixed to the root, such as a pedestal.
+    found[0].links[0] += [(robot.link_elements[link], home[link]) for link in robot.links if link not in drawn]
     return found
 
 

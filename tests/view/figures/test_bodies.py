@@ -37,6 +37,7 @@ def test_a_known_robot_has_its_body_and_says_whose_the_sizes_are(maker):
     body = body_of(chain)
     assert maker in body.source
     assert "ours" in body.source
+    assert explore(chain).scene["arms"][0]["body"] == solid_data(body.links)  # the page draws the same
     # the same arm from a file, and another one whose second axis is a centimetre farther away
     assert body_of(kl.load_urdf(kl.to_urdf(chain))).source == body.source
     longer = chain.screws.copy()
@@ -71,15 +72,12 @@ def test_any_arm_is_drawn_as_a_machine(chain):
     assert set(re.findall(r'fill="(#[0-9a-f]{6})"', svg)) & set(SHADES)
 
 
-def test_the_page_draws_the_same_description():
-    chain = kl.robots.panda()
-    assert explore(chain).scene["arms"][0]["body"] == solid_data(body_of(chain).links)
-
-
 SHOWN = """<robot name="crane">
   <link name="base"><visual><origin xyz="0 0 0.1"/><geometry><cylinder radius="0.2" length="0.2"/></geometry></visual></link>
   <link name="boom"><visual><origin xyz="0.5 0 0"/><geometry><box size="1 0.1 0.2"/></geometry></visual>
     <visual><geometry><mesh filename="file:///etc/passwd"/></geometry></visual></link>
+  <link name="post"><visual><geometry><box size="0.1 0.1 1"/></geometry></visual></link>
+  <joint name="bolt" type="fixed"><parent link="base"/><child link="post"/></joint>
   <link name="hook"><visual><geometry><sphere radius="0.1"/></geometry></visual></link>
   <joint name="turn" type="revolute"><parent link="base"/><child link="boom"/><origin xyz="0 0 0.3"/><axis xyz="0 0 1"/>
     <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
@@ -91,7 +89,7 @@ def test_a_tree_shows_the_boxes_cylinders_and_spheres_of_its_file_and_opens_no_o
     tree = kl.Tree.from_urdf(SHOWN)
     (arm,) = explore(tree).scene["arms"]
     base, boom = arm["body"]
-    assert [solid["kind"] for solid in base] == ["drum"]
+    assert [solid["kind"] for solid in base] == ["drum", "box"]  # the way to no tip leads over the post
     assert [solid["kind"] for solid in boom] == ["box", "tube"]  # the hook is fixed to the boom
     assert boom[0]["points"] == [[0.5, 0, 0.3]]
     assert boom[0]["sizes"] == [0.5, 0.05, 0.1]
