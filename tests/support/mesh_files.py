@@ -11,8 +11,8 @@ FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
 
 
 def stl():
-    """A tetrahedron as binary STL."""
-    faces = b"".join(struct.pack("<12fH", 0, 0, 1, *CORNERS[list(face)].ravel(), 0) for face in FACES)
+    """A tetrahedron as binary STL, with zeros for the normals, as many programs write it."""
+    faces = b"".join(struct.pack("<12fH", 0, 0, 0, *CORNERS[list(face)].ravel(), 0) for face in FACES)
     return bytes(80) + struct.pack("<I", len(FACES)) + faces
 
 

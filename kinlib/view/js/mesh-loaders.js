@@ -41,7 +41,8 @@ export async function read(kind, bytes) {
     const own = new BufferGeometry();
     const flat = geometry.index ? geometry.toNonIndexed() : geometry;
     own.setAttribute('position', flat.attributes.position.clone());
-    if (flat.attributes.normal) own.setAttribute('normal', flat.attributes.normal.clone());
+    // many programs write zeros for the normals of an STL file, and it would be black
+    if (flat.attributes.normal && kind !== 'stl') own.setAttribute('normal', flat.attributes.normal.clone());
     else own.computeVertexNormals();
     own.applyMatrix4(matrixWorld);
     if (!own.attributes.position.array.every(Number.isFinite))
