@@ -38,7 +38,7 @@ def show(
     q      (n,) joint values, or a mapping from joint names to values; by default some that show the shape of an arm, and
             some within the limits of a tree. A closed chain needs them
     path   the file to save to instead of showing it: .html, or a drawing as .svg or .png
-    packages  folders of packages, or {name: folder}, in which the meshes of a tree are looked for, see `kinlib.view.explore`
+    packages  a folder or folders of packages, or {name: folder}, in which the meshes of a tree are looked for, see `kinlib.view.explore`
 
     Raises ValueError if q does not have n values or is given without a robot, for anything else to show, for another ending, and
     for a folder that does not exist.

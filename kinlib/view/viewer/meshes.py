@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 
 import numpy as np
 
@@ -19,15 +20,12 @@ from kinlib.view.figures.bodies import shapes, visual_pose
 MAX_FILE_BYTES, MAX_ALL_BYTES = 40_000_000, 80_000_000
 """The largest mesh, and the largest sum of all meshes of a robot, that a page is given."""
 
-FOLDERS_OF_URDF = {"urdf", "robots"}
-"""A URDF in a folder of this name is in the package that is the folder above it."""
-
 KINDS = (".stl", ".obj", ".dae", ".glb")
 
 Mesh = dict[str, Any]
 """A mesh of a body: {"file", "name", "pose" at home in {s}, "scale", "colour"}."""
 
-Packages = Mapping[str, str | os.PathLike[str]] | Sequence[str | os.PathLike[str]]
+Packages = Mapping[str, str | os.PathLike[str]] | Sequence[str | os.PathLike[str]] | os.PathLike[str]
 
 
 def read_meshes(
@@ -40,21 +38,22 @@ def read_meshes(
 
     arms      for each arm the links of each of its bodies, with their poses in {s} at home
     folder    where the URDF is, if it was read from a file
-    packages  folders of packages, or {name: folder}. Those in ROS_PACKAGE_PATH, and the package that contains the URDF, are found
-              without it
+    packages  a folder or folders of packages, or {name: folder}. Those in the environment variables of ROS, and the package that
+              contains the URDF, are found without it
     """
     known, files, refused = dict[str, str](), dict[str, bytes](), dict[str, list[str]]()
     folder = _real(folder) if folder else None
-    named = packages.items() if isinstance(packages, Mapping) else [(_real(path).name, path) for path in packages]
+    paths = [packages] if isinstance(packages, str | os.PathLike) else packages
+    named = [*paths.items()] if isinstance(paths, Mapping) else [(_real(path).name, path) for path in paths]
+    for variable, below in (("ROS_PACKAGE_PATH", ""), ("AMENT_PREFIX_PATH", "share")):  # of ROS 1 and of ROS 2
+        named += [(Path(at).name, Path(at, below)) for at in os.environ.get(variable, "").split(os.pathsep) if at]
     roots = [(str(name), _real(path)) for name, path in named]
-    paths = [Path(path) for path in os.environ.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if path]
-    roots += [(path.name, _real(path)) for path in paths]
 
     def file_of(name: str) -> str:
         if name not in known:
             known[name] = ""
             try:
-                content = _content(_places(name, folder, roots), name, sum(map(len, files.values())))
+                content = _content([*_places(name, folder, roots), *_places(unquote(name), folder, roots)], name, files)
                 known[name] = f"{len(files)}{Path(name).suffix.lower()}"
                 files[known[name]] = content
             except (OSError, ValueError) as error:
@@ -65,16 +64,14 @@ def read_meshes(
     def shown(link: Element, T: Array) -> Iterator[Mesh]:
         for visual, mesh in (one for one in shapes(link) if one[1].tag == "mesh"):
             try:
-                name, pose = mesh.text("filename"), visual_pose(visual, T) + 0.0
+                name, pose = mesh.text("filename"), (visual_pose(visual, T) + 0.0).ravel().tolist()
                 scale = mesh.numbers("scale", 3) if "scale" in mesh.attributes else [1.0, 1.0, 1.0]
                 if not np.all(scale):
                     raise mesh.error("its scale must not be 0.")
+                if file := file_of(name):
+                    yield {"file": file, "name": name, "pose": pose, "scale": scale, "colour": _colour(visual)}
             except ValueError as error:
                 refused.setdefault(str(error), []).append(f"in line {mesh.line}")
-                continue
-            if file := file_of(name):
-                place = {"pose": pose.ravel().tolist(), "scale": scale}
-                yield {"file": file, "name": name, "colour": _colour(visual), **place}
 
     meshes = [[[mesh for link in links for mesh in shown(*link)] for links in bodies] for bodies in arms]
     notes = []
@@ -103,27 +100,28 @@ def _real(path: str | os.PathLike[str]) -> Path:
 
 def _places(name: str, folder: Path | None, packages: list[tuple[str, Path]]) -> Iterator[tuple[Path, Path]]:
     """Yield where a file may be, each place with the folder that it must not leave."""
-    # The packages that contain the URDF: folders above it with a package.xml, and that of a folder "urdf".
+    # The packages that contain the URDF: folders above it with a package.xml, and that of a folder "urdf" or "robots".
     above = [folder, *folder.parents] if folder else []
-    usual = [path.parent for path in above[:1] if path.name in FOLDERS_OF_URDF]
+    usual = [path.parent for path in above[:1] if path.name in {"urdf", "robots"}]
     own = [path for path in above if path == folder or path in usual or (path / "package.xml").is_file()]
-    if name.startswith("package://"):
-        package, _, rest = name.removeprefix("package://").partition("/")
+    scheme, _, path = name.rpartition("://")
+    roots = [root for _, root in packages]
+    if scheme in ("package", "model"):
+        package, _, rest = path.lstrip("/").partition("/")
         if package in ("", ".", ".."):
             return
         yield from (
             (root, root / rest) for known, root in [*packages, *((at.name, at) for at in own)] if known == package
         )
-        yield from ((root, root / package / rest) for root in [*(root for _, root in packages), *above[:1]])
+        yield from ((root, root / package / rest) for root in [*roots, *above[:1]])
         return
-    if "://" in name and not name.startswith("file://"):
+    if scheme not in ("", "file"):
         raise ValueError("it is an address, and nothing is downloaded. Download it, and write its path.")
-    path = name.removeprefix("file://")
-    yield from ((root, folder / path) for root in own if folder)
-    yield from ((root, root / path) for _, root in packages)
+    yield from ((root, folder / path) for root in [*own, *roots] if folder)
+    yield from ((root, root / path) for root in roots)
 
 
-def _content(places: Iterator[tuple[Path, Path]], name: str, read_bytes: int) -> bytes:
+def _content(places: Sequence[tuple[Path, Path]], name: str, files: Mapping[str, bytes]) -> bytes:
     """Return the bytes of a mesh, at the first of the places where it is. Raises ValueError if it must not be read or is not there."""
     if Path(name).suffix.lower() not in KINDS:
         raise ValueError(f"a file of a mesh must end in {', '.join(KINDS[:-1])} or {KINDS[-1]}.")
@@ -137,7 +135,7 @@ def _content(places: Iterator[tuple[Path, Path]], name: str, read_bytes: int) ->
         size = real.stat().st_size
         if size > MAX_FILE_BYTES:
             raise ValueError(f"it has {size / 1e6:.0f} MB; at most {MAX_FILE_BYTES / 1e6:.0f} MB are read.")
-        if size + read_bytes > MAX_ALL_BYTES:
+        if size + sum(map(len, files.values())) > MAX_ALL_BYTES:
             raise ValueError(f"the meshes before it have almost {MAX_ALL_BYTES / 1e6:.0f} MB, the most that is shown.")
         with real.open("rb") as file:
             return file.read(MAX_FILE_BYTES)
@@ -145,4 +143,6 @@ def _content(places: Iterator[tuple[Path, Path]], name: str, read_bytes: int) ->
         raise ValueError(
             "it is outside of the folder of the file. If it may be read, pass packages=[...] with a folder that contains it."
         )
-    raise ValueError("it was not found. Add the folder of its package: packages=[...] in Python.")
+    package = name.partition("package://")[2].partition("/")[0]
+    given = f'{{"{package:.60}": folder}}' if package else "[...]"
+    raise ValueError(f"it was not found. Add the folder of its package: packages={given} in Python.")

@@ -202,8 +202,8 @@ def explore(
              with a prime, "1'", is a second frame on the same link, in grey. They replace {s}, {b} and the DH frames. The first
              one is shown at the beginning, or those in show: "frame 1"
     readout  whether the pose of the end-effector is shown beside the picture; by default that of an arm
-    packages folders of packages, or {name: folder}, in which the meshes of a tree are looked for; its own package and those of the
-             environment variable ROS_PACKAGE_PATH are found without it. What is not found is said, and drawn by rule
+    packages a folder or folders of packages, or {name: folder}, in which the meshes of a tree are looked for; its own package and
+             those of the environment variables of ROS are found without it. What is not found is said, and drawn by rule
     visuals  the file of which an arm is a part, as a tree, and the name of the link whose frame is {s}: the arm looks as the file says
 
     Raises ValueError if the robot does not have one of the joints, values do not have shape (n,) or contain NaN, span does not
