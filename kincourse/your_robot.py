@@ -37,9 +37,6 @@ from kinlib.urdf.robot_tree import Tree
 from kinlib.view.viewer.viewer import Viewer, explore, opening
 from misstep.sheet import OpenSheet
 
-MAX_URDF_LENGTH = 20_000_000
-"""The maximum number of characters of a URDF file; longer ones are refused before they are parsed."""
-
 CORKE = "as in Corke's Robotics Toolbox"
 JOINT_CHOICES = ("zeros", "signs")
 MAX_EXPLANATIONS = 4
@@ -481,8 +478,6 @@ def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, l
         table, source = (arm, "") if isinstance(arm, DHTable) else KNOWN[arm]
         chain = table.to_chain().changed(name="arm" if isinstance(arm, DHTable) else arm)
         return chain, [f"Source: {source}"] * bool(source), None
-    if len(arm) > MAX_URDF_LENGTH:
-        raise ValueError(f"A URDF file may have at most 20 million characters; got {len(arm)}.")
     if "<" not in arm and not arm.strip().endswith((".urdf", ".xml")):
         raise ValueError(f"{arm!r:.60} is neither a URDF file nor a known arm. Known are {', '.join(KNOWN)}.")
     chain, tree = load_urdf(arm, base or None, tip or None), Tree.from_urdf(arm)

@@ -12,7 +12,7 @@
   const known = cellWith('KnownArms()')?.querySelectorAll('tbody tr') ?? [];
   if (!h || !compare || !document.querySelector('[data-kinlib-lab]')) return;
 
-  const MAX_BYTES = 20_000_000; // as in kincourse/your_robot.py
+  const MAX_BYTES = 4_000_000; // as in kinlib/urdf/xml_elements.py
   const MAX_LINKS = 2000;
   const MAX_FILES = 5000; // of a folder or an archive that is dropped
   const MAX_MESHES = 80_000_000; // bytes together, as in kinlib/view/viewer/meshes.py
@@ -177,7 +177,7 @@
   /** Where Python looks for a mesh beside PLACE; '' if that is nowhere. */
   function placeOf(name) {
     const parts = PLACE.split('/').slice(0, -1);
-    for (const part of name.replace(/^package:\/\//, '').split('/')) {
+    for (const part of name.replace(/^(package|model):\/\//, '').split('/')) {
       if (part === '..') parts.pop();
       else if (part && part !== '.') parts.push(part);
     }
@@ -207,12 +207,14 @@
 
   /** Take the URDF among files, the chosen one or the first, and the meshes that it names. */
   async function take(files, chosen) {
-    const possible = files.filter(({ path }) => /\.(urdf|xml)$/i.test(path) && !/package\.xml$/.test(path));
+    // macOS adds a file "._robot.urdf" to an archive for each file, which is none
+    const own = files.filter(({ path }) => !/(^|\/)(__MACOSX\/|\._)/.test(path));
+    const possible = own.filter(({ path }) => /\.(urdf|xml)$/i.test(path) && !/package\.xml$/.test(path));
     possible.sort((one, other) => one.path.endsWith('.xml') - other.path.endsWith('.xml'));
-    const one = chosen ?? possible[0] ?? files[0];
+    const one = chosen ?? possible[0] ?? own.find(({ path }) => /\.xacro$/i.test(path)) ?? own[0]; // Python says more
     if (!one) throw new Error('there is no file in it');
     if (one.size > MAX_BYTES)
-      throw new Error(`${one.path} has ${Math.round(one.size / 1e6)} MB, and the limit is 20 MB`);
+      throw new Error(`${one.path} has ${Math.round(one.size / 1e6)} MB, and the limit is 4 MB`);
     which.parentElement.hidden = possible.length < 2;
     which.replaceChildren(...possible.map(({ path }) => option(path)));
     which.value = one.path;
@@ -241,7 +243,7 @@
     const { length } = event.clipboardData.getData('text');
     if (length <= MAX_BYTES) return;
     event.preventDefault(); // before the browser puts it into the field
-    aboutFile.textContent = `Not pasted: it has ${length.toLocaleString('en')} characters, and the limit is 20 million.`;
+    aboutFile.textContent = `Not pasted: it has ${length.toLocaleString('en')} characters, and the limit is 4 million.`;
   });
   arm.addEventListener('change', () => {
     if (arm.value) links.hidden = true;
