@@ -167,7 +167,7 @@ def page(chromium, tmp_path_factory):
     """The page with all viewers, each of which starts and draws only where it is scrolled to."""
     folder = tmp_path_factory.mktemp("viewers")
     names = [*MESHES, "missing.stl"]
-    write(folder, {"crane.urdf": crane(*map(visual, names)), **MESHES})
+    write(folder, {"crane.urdf": crane(*map(visual, names), visual("a.stl").replace("0.05", "1")), **MESHES})
     parts = [make().html() for make in VIEWERS.values()]
     parts += [explore(kl.Tree.from_urdf(folder / "crane.urdf")).html(), parts[0].replace('"scene":', '"scheme":')]
     size = {"width": 1000, "height": 620}
@@ -371,7 +371,7 @@ def test_a_screen_reader_gets_the_position_of_the_tool_and_the_value_of_a_slider
 def test_meshes_are_shown_and_what_cannot_be_read_or_shown_is_said(page):
     viewer = Shown(page, len(VIEWERS))
     viewer.wait("root.querySelector('.kv').viewer.meshes?.then(() => true)")
-    read = viewer.run(
+    *read, far = viewer.run(
         """stage.meshes.map(({ body, pieces }) => {
             const low = (k) => Math.min(...pieces[0].position.filter((_, i) => i % 3 === k));
             const high = (k) => Math.max(...pieces[0].position.filter((_, i) => i % 3 === k));
@@ -382,6 +382,7 @@ def test_meshes_are_shown_and_what_cannot_be_read_or_shown_is_said(page):
     for body, _, _, size, low in read:
         np.testing.assert_allclose([*size, low], [0.1, 0.1, 0.2, 0.1 * body + 0.05], atol=1e-6)
     assert [colour for *_, colour, _, _ in read] == [None, None, "#ff8000", "#ffffff"]
+    assert 0 < viewer.place_of((1.2, 0, far[4] + 0.2))[1] - viewer.canvas.bounding_box()["y"] < 100  # in view, at the top
     drawn_by_rule = "[...new Set(stage.layers.get('arm').meshes.map((mesh) => mesh.parent))].length"
     assert viewer.run(drawn_by_rule) == 3  # e, f and the missing one
     message = viewer.root.locator(".kv-message").first.inner_text()
@@ -395,6 +396,7 @@ def test_meshes_are_shown_and_what_cannot_be_read_or_shown_is_said(page):
 
 def test_a_lost_context_is_created_again(show):
     viewer = show("tree")
+    expect(viewer.root.locator(".kv-joint").first).to_have_text("turn: -1.00 to 1.00 rad")
     before = viewer.pixels()
     viewer.run("globalThis[Symbol.for('kinlib.renderers')][0]()")
     viewer.settled(lambda: viewer.run("stage.draw()"))

@@ -30,6 +30,7 @@ function render({ model, el }) {
   const q = () => model.get('q');
   const state = {
     sliders: data.sliders ?? [],
+    limits: data.limits ?? [],
     q,
     set: (values) => save(model, 'q', values),
     start: () => model.get('start'),

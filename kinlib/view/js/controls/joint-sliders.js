@@ -6,7 +6,7 @@ import { typedNumber } from './typed-number.js';
 
 const DEGREE = Math.PI / 180;
 
-/** @param state { sliders, start(), q(), set(q), choose(link) } @returns { element, update(q), dispose() } */
+/** @param state { sliders, limits, start(), q(), set(q), choose(link) } @returns { element, update(q), dispose() } */
 export function jointSliders(state) {
   const rows = state.sliders.map((slider) => sliderRow(slider, state));
   const motion = sweepJoints(state);
@@ -37,6 +37,8 @@ function sliderRow(slider, state) {
   const isAngle = unit === 'rad';
   const step = isAngle ? DEGREE : 0.01;
   const unitName = isAngle ? 'radians' : 'metres';
+  const ends = (state.limits[column] ?? [null]).map((end) => end !== null && formatNumber(end, 2));
+  const limits = ends.includes(false) ? '' : `: ${ends.join(' to ')} ${unit}`;
   const label = `Joint ${column + 1}${slider.title ? ` (${slider.title})` : ''}, ${unitName}`;
   const set = (value) => {
     const q = [...state.q()];
@@ -73,6 +75,7 @@ function sliderRow(slider, state) {
         onfocusin: () => state.choose(column + 1),
         onfocusout: () => state.choose(null),
       },
+      ...(slider.title ? [h('span', { class: 'kv-joint' }, `${slider.title}${limits}`)] : []),
       h('label', { for: id, title: label }, renderSymbol(name)),
       range,
       field.element,

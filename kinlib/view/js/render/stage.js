@@ -271,7 +271,24 @@ export class Stage {
   setQ(q) {
     this.tree.setQ(q);
     this.camera.keepInView(this.tree.jointPositions(), 0.3 * this.data.size);
+    const { centre, radius } = this.data.room;
+    const isNear = (point) => point.distanceTo(new Vector3(...centre)) < 3 * radius; // a long rail would make the arm tiny
+    this.camera.keepInView(this.#cornersOfFile().filter(isNear), 0.05 * this.data.size);
     this.draw();
+  }
+
+  /** The corners of boxes around what the file of a robot shows: its meshes, and the bodies that are not by rule. */
+  #cornersOfFile() {
+    const own = this.data.arms.flatMap(({ rule = [] }, arm) =>
+      rule.flatMap((byRule, body) => (byRule ? [] : [this.tree.body(arm, body)])),
+    );
+    const drawn = (this.layers.get('arm')?.meshes ?? []).filter(({ parent }) => own.includes(parent));
+    return [...drawn, ...(this.layers.get('meshes')?.meshes ?? [])].flatMap(({ geometry, matrixWorld }) => {
+      if (!geometry.boundingBox) geometry.computeBoundingBox();
+      const { min, max } = geometry.boundingBox;
+      const corner = (k) => new Vector3(...[0, 1, 2].map((i) => ((k >> i) & 1 ? max : min).getComponent(i)));
+      return Array.from({ length: 8 }, (_, k) => corner(k).applyMatrix4(matrixWorld));
+    });
   }
 
   resize(width, height) {
