@@ -128,7 +128,7 @@ def _joint(element: Element, links: Mapping[str, Element]) -> UrdfJoint:
     parent, child = (_end(element, tag, links) for tag in ("parent", "child"))
     axis = _axis(element) if kind in (*MOVING_TYPES, "planar") else np.zeros(3)
     limits = _limits(element, kind) if kind in {"revolute", "prismatic"} else (-np.inf, np.inf)
-    origin, axis = map(validation.read_only_copy, (_origin(element), axis))
+    origin, axis = map(validation.read_only_copy, (origin_of(element), axis))
     return UrdfJoint(element, name, kind, parent, child, origin, axis, limits, _mimic(element, kind))
 
 
@@ -141,8 +141,9 @@ def _end(joint: Element, tag: str, links: Mapping[str, Element]) -> str:
     return link
 
 
-def _origin(joint: Element) -> Array:
-    if (element := joint.child("origin")) is None:
+def origin_of(parent: Element) -> Array:
+    """Return the pose (4, 4) in the <origin> of a joint or a visual. Raises ValueError, with element and line, if it is not valid."""
+    if (element := parent.child("origin")) is None:
         return np.eye(4)
     values = {name: element.numbers(name, 3) for name in ("xyz", "rpy") if name in element.attributes}
     if abs(largest := max(values.get("rpy", [0.0]), key=abs)) > 4 * np.pi:
@@ -157,8 +158,7 @@ def _axis(joint: Element) -> Array:
     axis = np.array(element.numbers("xyz", 3))
     if np.abs(axis).max() < 1e-6:  # zero up to rounding errors
         raise element.error("xyz must be a direction; got zero. A joint that does not move has the type fixed.")
-    unit: Array = axis / np.linalg.norm(axis)
-    return unit
+    return np.asarray(axis / np.linalg.norm(axis))
 
 
 def _limits(joint: Element, kind: str) -> tuple[float, float]:

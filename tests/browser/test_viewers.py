@@ -382,7 +382,7 @@ def test_meshes_are_shown_and_what_cannot_be_read_or_shown_is_said(page):
     for body, _, _, size, low in read:
         np.testing.assert_allclose([*size, low], [0.1, 0.1, 0.2, 0.1 * body + 0.05], atol=1e-6)
     assert [colour for *_, colour, _, _ in read] == [None, None, "#ff8000", "#ffffff"]
-    assert 0 < viewer.place_of((1.2, 0, far[4] + 0.2))[1] - viewer.canvas.bounding_box()["y"] < 100  # in view, at the top
+    assert 0 < viewer.place_of((1.2, 0, far[4] + 0.2))[1] - viewer.canvas.bounding_box()["y"] < 100
     drawn_by_rule = "[...new Set(stage.layers.get('arm').meshes.map((mesh) => mesh.parent))].length"
     assert viewer.run(drawn_by_rule) == 3  # e, f and the missing one
     message = viewer.root.locator(".kv-message").first.inner_text()

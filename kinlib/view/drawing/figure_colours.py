@@ -44,8 +44,9 @@ BODY_COLOURS = ("body", "metal", "grip", "dark", "blue", "white", "slate", "crea
 
 @cache
 def shade(colour: str, level: int, page: int) -> str:
-    """Return a colour in one of LEVELS shades, from the dark side to the highlight, on a light (0) or a dark page (1)."""
-    base = np.array([int(LIGHT_AND_DARK[colour][page][k : k + 2], 16) / 255 for k in (1, 3, 5)])
+    """Return a colour, or that of any body if it has no name, in one of LEVELS shades, on a light (0) or a dark page (1)."""
+    pair = LIGHT_AND_DARK.get(colour, LIGHT_AND_DARK["body"])
+    base = np.array([int(pair[page][k : k + 2], 16) / 255 for k in (1, 3, 5)])
     cool = base * ([0.5, 0.56, 0.66], [0.34, 0.38, 0.46])[page]
     k = level / (LEVELS - 1)
     lit = np.clip((k - 0.15) / 0.6, 0, 1)

@@ -19,8 +19,8 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import perpendicular
-from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
+from kinlib.urdf.links_and_joints import origin_of
 from kinlib.urdf.xml_elements import Element
 
 SAME_AXES_TOL_M = 1e-3
@@ -38,7 +38,7 @@ class Primitive(NamedTuple):
     kind     "drum": a cylinder between two points; "tube": balls joined by cones; "box": half sides along three axes
     points   (k, 3) the ends of a drum, the balls of a tube, the centre of a box
     sizes    (k,) the radius at each point; (3,) the half sides of a box
-    colour   its name in colours.json
+    colour   its name in colours.json, or #rrggbb of a file
     axes     (3, 3) the directions of a box, in columns
     """
 
@@ -98,11 +98,16 @@ def shapes(link: Element) -> Iterator[tuple[Element, Element]]:
             yield from ((visual, shape) for shape in geometry.children)
 
 
-def visual_pose(visual: Element, T: Array) -> Array:
-    """Return the pose of a <visual> of a link whose frame is at T. Raises ValueError if its origin is not as it should be."""
-    place = visual.child("origin")
-    given = [name for name in ("xyz", "rpy") if place and name in place.attributes]
-    return np.asarray(T @ origin(**{name: place.numbers(name, 3) for name in given if place}))
+def visual_colour(visual: Element) -> str | None:
+    """Return the colour of a visual as #rrggbb, by its own material or by that of the robot of the same name."""
+    own = [child for child in visual.children if child.tag == "material"]
+    robot = visual.parent.parent if visual.parent else None
+    others = [child for child in robot.children if child.tag == "material"] if robot and own else []
+    named = [other for other in others if other.attributes.get("name") == own[0].attributes.get("name")]
+    for colour in (child for material in own + named for child in material.children if child.tag == "color"):
+        with suppress(ValueError):
+            return "#" + "".join(f"{round(255 * x):02x}" for x in np.clip(colour.numbers("rgba", 4), 0, 1)[:3])
+    return None
 
 
 def visual_solids(link: Element, T: Array) -> list[Primitive]:
@@ -110,15 +115,15 @@ def visual_solids(link: Element, T: Array) -> list[Primitive]:
     found = []
     for visual, shape in shapes(link):
         with suppress(ValueError):
-            pose = visual_pose(visual, T)
-            at, z = pose[:3, 3], pose[:3, 2]
+            pose = T @ origin_of(visual)
+            at, z, colour = pose[:3, 3], pose[:3, 2], visual_colour(visual) or "body"
             if shape.tag == "box":
-                found.append(box(at, np.array(shape.numbers("size", 3)) / 2, axes=pose[:3, :3]))
+                found.append(box(at, np.array(shape.numbers("size", 3)) / 2, colour, pose[:3, :3]))
             elif shape.tag == "cylinder":
                 (radius,), (length,) = shape.numbers("radius", 1), shape.numbers("length", 1)
-                found.append(drum(z, at, radius, -length / 2, length / 2))
+                found.append(drum(z, at, radius, -length / 2, length / 2, colour=colour))
             elif shape.tag == "sphere":
-                found.append(ball(at, shape.numbers("radius", 1)[0]))
+                found.append(ball(at, shape.numbers("radius", 1)[0], colour))
     return found
 
 

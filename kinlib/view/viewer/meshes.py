@@ -6,7 +6,6 @@ package://../../ leads to, nothing is downloaded, and sizes are limited. What a 
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
@@ -14,8 +13,9 @@ from urllib.parse import unquote
 import numpy as np
 
 from kinlib.arrays.validation import Array
+from kinlib.urdf.links_and_joints import origin_of
 from kinlib.urdf.xml_elements import Element
-from kinlib.view.figures.bodies import shapes, visual_pose
+from kinlib.view.figures.bodies import shapes, visual_colour
 
 MAX_FILE_BYTES, MAX_ALL_BYTES = 40_000_000, 80_000_000
 """The largest mesh, and the largest sum of all meshes of a robot, that a page is given."""
@@ -64,12 +64,12 @@ def read_meshes(
     def shown(link: Element, T: Array) -> Iterator[Mesh]:
         for visual, mesh in (one for one in shapes(link) if one[1].tag == "mesh"):
             try:
-                name, pose = mesh.text("filename"), (visual_pose(visual, T) + 0.0).ravel().tolist()
+                name, pose = mesh.text("filename"), (T @ origin_of(visual) + 0.0).ravel().tolist()
                 scale = mesh.numbers("scale", 3) if "scale" in mesh.attributes else [1.0, 1.0, 1.0]
                 if not np.all(scale):
                     raise mesh.error("its scale must not be 0.")
                 if file := file_of(name):
-                    yield {"file": file, "name": name, "pose": pose, "scale": scale, "colour": _colour(visual)}
+                    yield {"file": file, "name": name, "pose": pose, "scale": scale, "colour": visual_colour(visual)}
             except ValueError as error:
                 refused.setdefault(str(error), []).append(f"in line {mesh.line}")
 
@@ -79,18 +79,6 @@ def read_meshes(
         listed = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
         notes.append(f"{'A mesh is' if len(names) == 1 else f'{len(names)} meshes are'} not shown, {listed}: {why}")
     return files, meshes, notes
-
-
-def _colour(visual: Element) -> str | None:
-    """Return the colour of a visual as #rrggbb, by its own material or by that of the robot of the same name."""
-    own = [child for child in visual.children if child.tag == "material"]
-    robot = visual.parent.parent if visual.parent else None
-    others = [child for child in robot.children if child.tag == "material"] if robot and own else []
-    named = [other for other in others if other.attributes.get("name") == own[0].attributes.get("name")]
-    for colour in (child for material in own + named for child in material.children if child.tag == "color"):
-        with suppress(ValueError):
-            return "#" + "".join(f"{round(255 * x):02x}" for x in np.clip(colour.numbers("rgba", 4), 0, 1)[:3])
-    return None
 
 
 def _real(path: str | os.PathLike[str]) -> Path:

@@ -76,7 +76,7 @@ SHOWN = """<robot name="crane">
   <link name="base"><visual><origin xyz="0 0 0.1"/><geometry><cylinder radius="0.2" length="0.2"/></geometry></visual></link>
   <link name="boom"><visual><origin xyz="0.5 0 0"/><geometry><box size="1 0.1 0.2"/></geometry></visual>
     <visual><geometry><mesh filename="file:///etc/passwd"/></geometry></visual></link>
-  <link name="post"><visual><geometry><box size="0.1 0.1 1"/></geometry></visual></link>
+  <link name="post"><visual><geometry><box size="0.1 0.1 1"/></geometry><material><color rgba="1 0 0 1"/></material></visual></link>
   <joint name="bolt" type="fixed"><parent link="base"/><child link="post"/></joint>
   <link name="hook"><visual><geometry><sphere radius="0.1"/></geometry></visual></link>
   <joint name="turn" type="revolute"><parent link="base"/><child link="boom"/><origin xyz="0 0 0.3"/><axis xyz="0 0 1"/>
@@ -89,7 +89,7 @@ def test_a_tree_shows_the_boxes_cylinders_and_spheres_of_its_file_and_opens_no_o
     tree = kl.Tree.from_urdf(SHOWN)
     (arm,) = explore(tree).scene["arms"]
     base, boom = arm["body"]
-    assert [solid["kind"] for solid in base] == ["drum", "box"]  # the way to no tip leads over the post
+    assert [(solid["kind"], solid["colour"]) for solid in base] == [("drum", "body"), ("box", "#ff0000")]
     assert [solid["kind"] for solid in boom] == ["box", "tube"]  # the hook is fixed to the boom
     assert boom[0]["points"] == [[0.5, 0, 0.3]]
     assert boom[0]["sizes"] == [0.5, 0.05, 0.1]

@@ -2,6 +2,7 @@
 // A part is { body, shape, from, to, radius, colour }, a label { body, at, from, text, sub, colour, weight }.
 import { add, middle, minus, norm } from '../vectors.js';
 import { label } from './shapes.js';
+import { mixColours } from './solids.js';
 
 /** Radii, as fractions of the arm's size. */
 const JOINT = 0.05;
@@ -12,7 +13,9 @@ const unit = (p) => p.map((value) => value / (norm(p) || 1));
 /** Primitives of one body: drums, tubes and boxes, see kinlib/view/figures/bodies.py; on says which body it is. */
 function primitives(all, on, colours) {
   return all.flatMap(({ kind, points, sizes, colour, axes }) => {
-    const look = { ...on, colour: colours[colour] };
+    // a colour of a file; on a dark page, black would not be seen
+    const own = () => mixColours(colour, colours.body, colours.isDark ? 0.12 : 0);
+    const look = { ...on, colour: colours[colour] ?? own() };
     if (kind === 'box') return [{ ...look, shape: 'block', from: points[0], to: points[0], sizes, axes }];
     if (kind === 'drum') return [{ ...look, shape: 'drum', from: points[0], to: points[1], radius: sizes[0] }];
     const balls = points.map((at, i) => ({ ...look, shape: 'sphere', from: at, to: at, radius: sizes[i] }));
