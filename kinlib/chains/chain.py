@@ -86,7 +86,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
 
     @property
     def _title(self) -> str:
-        return f"{self.name}, {self.n} joints ({self.joint_types})"
+        return f"{self.name}, {self.n} joint{'s'[: self.n != 1]} ({self.joint_types})"
 
     @property
     def _home_line(self) -> str:

@@ -228,6 +228,8 @@
   const reading = (action) =>
     action().catch((error) => {
       file.value = '';
+      which.parentElement.hidden = true;
+      showUrdf(''); // and not the robot before it, which would be checked
       aboutFile.textContent = `This cannot be read: ${error.message}.`;
     });
 

@@ -232,11 +232,14 @@ def a_wrong_sign_is_explained_and_corrected(page, folder):
 
 def a_zip_with_meshes_is_opened(page, folder):
     answer, drawing = page.locator(".your-robot-result").all()
+    choose = page.get_by_label("A URDF file, or a zip archive with its meshes").set_input_files
+    choose({"name": "broken.zip", "mimeType": "", "buffer": b"no archive"})
+    expect(page.get_by_label("The text of a URDF file")).to_have_value("")  # and not the robot before it
     mesh = "package://crane_description/meshes/arm.stl"
     with ZipFile(folder / "robot.zip", "w", ZIP_DEFLATED) as files:
         files.writestr("crane-main/urdf/crane.urdf", crane(visual(mesh), '<drake:name value="not declared"/>'))
         files.writestr("crane-main/meshes/arm.stl", stl())
-    page.get_by_label("A URDF file, or a zip archive with its meshes").set_input_files(folder / "robot.zip")
+    choose(folder / "robot.zip")
     expect(page.locator("form.your-robot")).to_contain_text("1 of 1 meshes were found.")
     page.get_by_label("A DH table").fill("no table")
     page.get_by_role("button", name="Check", exact=True).click()
@@ -245,7 +248,7 @@ def a_zip_with_meshes_is_opened(page, folder):
     expect(answer).not_to_contain_text("0.85 m")
     page.get_by_label("A DH table").fill("")
     page.get_by_role("button", name="Check", exact=True).click()
-    expect(answer).to_contain_text("crane: 1 joint", timeout=PYTHON_TIMEOUT_MS)
+    expect(answer).to_contain_text("crane: 1 joint.", timeout=PYTHON_TIMEOUT_MS)
     expect(drawing.locator("[data-kinlib-viewer]")).to_have_count(1, timeout=PYTHON_TIMEOUT_MS)
     expect(drawing).not_to_contain_text("not shown")
 

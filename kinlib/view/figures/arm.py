@@ -191,7 +191,7 @@ def describe_arm(
     q = chain.in_order(q)
     joints = "; ".join(f"joint {i} {text}" for i, text in enumerate(joint_texts(chain, q), start=1))
     sentences = [
-        f"{chain.name}, {chain.n} joints ({chain.joint_types}), {configuration_text(q)}.",
+        f"{chain.name}, {chain.n} joint{'s'[: chain.n != 1]} ({chain.joint_types}), {configuration_text(q)}.",
         f"{joints.capitalize()}.",
         f"The end-effector is at {vector_text(chain.fk(q)[:3, 3])} m.",
     ]

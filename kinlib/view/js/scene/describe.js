@@ -43,7 +43,7 @@ export function describeArm(data, tree, q) {
   const joints = arm.joints.map((joint, i) => jointText(joint, i, tree, 0));
   const kinds = arm.joints.map(({ kind }) => kind).join('');
   const text = joints.join('; ');
-  const head = `${data.name}, ${joints.length} joints (${kinds}), ${configurationText(q)}.`;
+  const head = `${data.name}, ${joints.length} joint${joints.length === 1 ? '' : 's'} (${kinds}), ${configurationText(q)}.`;
   return `${head} ${text[0].toUpperCase()}${text.slice(1)}. ${endEffectorText(tree)}`;
 }
 
