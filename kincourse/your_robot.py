@@ -132,12 +132,8 @@ class Examination:
         if self.unread:
             return self.unread
         if self.table is None or self.arm is None:
-            given = self.arm or self.table
-            return (
-                f"{given.name}: {given.n} joint{'s'[: given.n != 1]}."
-                if given
-                else "Give a URDF file, a table, or both."
-            )
+            one = self.arm or self.table
+            return f"{one.name}: {one.n} joint{'s'[: one.n != 1]}." if one else "Give a URDF file, a table, or both."
         if self.strict is None:
             letters, count = self.table.joints.replace("F", ""), f"{self.table.n} joint{'s'[: self.table.n != 1]}"
             has = f"The table has {count} ({letters}), and the arm has {self.arm.n} ({self.arm.joint_types})"

@@ -192,16 +192,24 @@
       const [one, other] = [name, path].map((each) => each.split('/').reverse());
       return [...one, ''].findIndex((part, k) => part !== other[k]);
     };
+    const bytesOf = async (one) => new Uint8Array(await (await one.read()).arrayBuffer());
     const read = [];
+    let found = 0;
     let left = MAX_MESHES;
     for (const name of wanted) {
       const [best] = files.filter((one) => common(name, one)).sort((a, b) => common(name, b) - common(name, a));
       left -= best?.size ?? 0;
-      if (best && left > 0)
-        read.push({ path: placeOf(name), bytes: new Uint8Array(await (await best.read()).arrayBuffer()) });
+      if (!best || left <= 0) continue;
+      const bytes = await bytesOf(best);
+      read.push({ path: placeOf(name), bytes });
+      found += 1;
+      // the materials of an OBJ file, which are beside it
+      const [, library] = /^mtllib +([^/]+?)\s*$/m.exec(new TextDecoder().decode(bytes.subarray(0, 10_000))) ?? [];
+      const beside = files.find(({ path, size }) => path === best.path.replace(/[^/]*$/, library) && size < 1e6);
+      if (beside) read.push({ path: placeOf(name).replace(/[^/]*$/, library), bytes: await bytesOf(beside) });
     }
     if (wanted.length)
-      aboutFile.textContent = `${read.length} of ${wanted.length} meshes were found${read.length < wanted.length ? '. Drop a folder or a zip archive that contains all' : ''}.`;
+      aboutFile.textContent = `${found} of ${wanted.length} meshes were found${found < wanted.length ? '. Drop a folder or a zip archive that contains all' : ''}.`;
     return read;
   }
 

@@ -167,6 +167,7 @@ def page(chromium, tmp_path_factory):
     """The page with all viewers, each of which starts and draws only where it is scrolled to."""
     folder = tmp_path_factory.mktemp("viewers")
     names = [*MESHES, "missing.stl"]
+    write(folder, {"b.mtl": "newmtl blue\nKd 0 0 1.0\n"})
     write(folder, {"crane.urdf": crane(*map(visual, names), visual("a.stl").replace("0.05", "1")), **MESHES})
     parts = [make().html() for make in VIEWERS.values()]
     parts += [explore(kl.Tree.from_urdf(folder / "crane.urdf")).html(), parts[0].replace('"scene":', '"scheme":')]
@@ -381,7 +382,7 @@ def test_meshes_are_shown_and_what_cannot_be_read_or_shown_is_said(page):
     assert [(body, corners) for body, corners, *_ in read] == [(0, 12), (1, 12), (2, 12), (3, 12)]
     for body, _, _, size, low in read:
         np.testing.assert_allclose([*size, low], [0.1, 0.1, 0.2, 0.1 * body + 0.05], atol=1e-6)
-    assert [colour for *_, colour, _, _ in read] == [None, None, "#ff8000", "#ffffff"]
+    assert [colour for *_, colour, _, _ in read] == [None, "#0000ff", "#ff8000", "#ffffff"]
     assert 0 < viewer.place_of((1.2, 0, far[4] + 0.2))[1] - viewer.canvas.bounding_box()["y"] < 100
     drawn_by_rule = "[...new Set(stage.layers.get('arm').meshes.map((mesh) => mesh.parent))].length"
     assert viewer.run(drawn_by_rule) == 3  # e, f and the missing one

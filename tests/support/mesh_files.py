@@ -18,7 +18,7 @@ def stl():
 
 def obj():
     """The same as OBJ, with a line, as CAD programs leave some."""
-    points = [f"v {x} {y} {z}" for x, y, z in CORNERS]
+    points = ["mtllib b.mtl", *(f"v {x} {y} {z}" for x, y, z in CORNERS), "usemtl blue"]
     return "\n".join([*points, *(f"f {a + 1} {b + 1} {c + 1}" for a, b, c in FACES), "l 1 2"]).encode()
 
 

@@ -17,8 +17,27 @@ const bufferOf = (bytes) => bytes.buffer.slice(bytes.byteOffset, bytes.byteOffse
 
 const READERS = {
   stl: (bytes) => new Mesh(new STLLoader().parse(bufferOf(bytes)), new MeshBasicMaterial()),
-  // the loader makes lines of a whole object that has one
-  obj: (bytes) => new OBJLoader().parse(textOf(bytes).replace(/^[lp] .*$/gm, '')),
+  obj(bytes) {
+    const [shape, ...materials] = textOf(bytes).split(/^newmtl /m); // Python has appended the file of materials
+    // the loader makes lines of a whole object that has one
+    const root = new OBJLoader().parse(shape.replace(/^[lp] .*$/gm, ''));
+    const colours = Object.fromEntries(
+      materials.map((text) => [
+        text.split('\n')[0].trim(),
+        text
+          .match(/^\s*Kd +([\d. ]+)/m)?.[1]
+          .trim()
+          .split(/ +/),
+      ]),
+    );
+    root.traverse(({ material }) => {
+      for (const one of [material ?? []].flat()) {
+        one.userData.isGiven = Object.hasOwn(colours, one.name) && colours[one.name]?.length === 3;
+        if (one.userData.isGiven) one.color.setRGB(...colours[one.name].map(Number), SRGBColorSpace);
+      }
+    });
+    return root;
+  },
   dae(bytes) {
     const { scene } = new ColladaLoader(manager).parse(textOf(bytes), '') ?? {};
     if (!scene) throw new Error('it is not a COLLADA file');
@@ -52,7 +71,8 @@ export async function read(kind, bytes) {
     const all = [{ start: 0, count: index.count, materialIndex: 0 }];
     const materials = [material].flat();
     for (const { start, count, materialIndex } of materials.length > 1 ? flat.groups : all) {
-      const given = (kind === 'dae' || kind === 'glb') && materials[materialIndex]?.color;
+      const { color, userData } = materials[materialIndex] ?? {};
+      const given = (kind === 'dae' || kind === 'glb' || userData?.isGiven) && color;
       pieces.push({
         position: attributes.position.array,
         normal: attributes.normal.array,

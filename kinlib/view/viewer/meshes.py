@@ -5,6 +5,7 @@ package://../../ leads to, nothing is downloaded, and sizes are limited. What a 
 """
 
 import os
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -113,21 +114,24 @@ def _content(places: Sequence[tuple[Path, Path]], name: str, files: Mapping[str,
     """Return the bytes of a mesh, at the first of the places where it is. Raises ValueError if it must not be read or is not there."""
     if Path(name).suffix.lower() not in KINDS:
         raise ValueError(f"a file of a mesh must end in {', '.join(KINDS[:-1])} or {KINDS[-1]}.")
-    outside = False
-    for root, path in places:
-        if "\0" in str(path) or not (real := _real(path)).is_file():
-            continue
+    there = [(root, real) for root, path in places if "\0" not in str(path) and (real := _real(path)).is_file()]
+    for root, real in there:
         if not real.is_relative_to(root):
-            outside = True
             continue
         size = real.stat().st_size
         if size > MAX_FILE_BYTES:
             raise ValueError(f"it has {size / 1e6:.0f} MB; at most {MAX_FILE_BYTES / 1e6:.0f} MB are read.")
         if size + sum(map(len, files.values())) > MAX_ALL_BYTES:
             raise ValueError(f"the meshes before it have almost {MAX_ALL_BYTES / 1e6:.0f} MB, the most that is shown.")
-        with real.open("rb") as file:
-            return file.read(MAX_FILE_BYTES)
-    if outside:
+        content = real.read_bytes()
+        # The materials of an OBJ file are in a file beside it, and the page gets both as one.
+        for material in re.findall(rb"^mtllib +(.+?)\s*$", content, re.MULTILINE)[:1]:
+            beside = _real(real.parent / os.fsdecode(material))
+            if beside.is_relative_to(root) and beside.suffix == ".mtl" and beside.is_file():
+                with beside.open("rb") as file:
+                    content += b"\n" + file.read(MAX_FILE_BYTES)
+        return content
+    if there:
         raise ValueError(
             "it is outside of the folder of the file. If it may be read, pass packages=[...] with a folder that contains it."
         )

@@ -65,16 +65,16 @@ REFUSED = {
 
 @pytest.mark.parametrize("name", REFUSED)
 def test_nothing_is_read_outside_of_what_was_given(tmp_path, name):
-    write(tmp_path, {"secret/arm.stl": stl(), "crane/huge.stl": ""})
+    write(tmp_path, {"secret/arm.stl": stl(), "secret/a.mtl": "newmtl a", "crane/a.obj": b"mtllib ../secret/a.mtl"})
     folder = tmp_path / "crane"
-    with (folder / "huge.stl").open("r+b") as file:
+    with (folder / "huge.stl").open("wb") as file:
         file.truncate(2_000_000_000)
     (folder / "link").symlink_to(tmp_path / "secret")
     (folder / "link.stl").symlink_to(tmp_path / "secret" / "arm.stl")
     (folder / "loop.stl").symlink_to(folder / "loop.stl")
-    write(tmp_path, {"crane/crane.urdf": crane(visual(name.format(tmp=tmp_path)), "")})
+    write(tmp_path, {"crane/crane.urdf": crane(visual(name.format(tmp=tmp_path)), visual("a.obj"))})
     viewer = explore(kl.Tree.from_urdf(folder / "crane.urdf"))
-    assert viewer.meshes == {}
+    assert viewer.meshes == {"0.obj": b"mtllib ../secret/a.mtl"}
     (note,) = viewer.notes
     assert re.search(REFUSED[name], note)
     assert viewer.html().count("<script") == 1
@@ -112,4 +112,3 @@ def test_a_page_of_its_own_has_the_meshes_and_a_notebook_saves_them_once(tmp_pat
         state = json.loads(re.search(r'<script type="application/json">(.*?)</script>', html)[1])
         assert len(state.get("meshes", {})) == count
         assert ("loaders" in state) == bool(count)
-    assert viewer.get_state()["meshes"] == {"0.stl": stl()}
