@@ -81,7 +81,7 @@ def read_robot(path_or_text: str | os.PathLike[str]) -> Element:
     blank = text[: len(text) - len(document)]
     root = _parsed(document, above=blank.count("\n") if isinstance(blank, str) else blank.count(b"\n"))
     if root.tag != "robot":
-        raise root.error("the first element of a URDF must be <robot>; this is another file.")
+        raise root.error("the first element must be <robot>. Pass the URDF of the robot, and not SDF or MJCF.")
     return root
 
 
