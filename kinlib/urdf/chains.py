@@ -36,7 +36,7 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
 
     Raises ValueError, with the element and its line, if the file is not XML, not a URDF or not a tree, if a number is not
     valid, if several links could be the tip, and if a joint on the path has no chain, as `Tree.chain` says. To use several chains
-    of a file, or the frames of its links, read it once, with `Tree.from_urdf(file)`. No other file is opened or downloaded.
+    of a file or the frames of its links, or to show its meshes, read it with `Tree.from_urdf(file)`. No other file is opened.
 
     It also refuses what urdfdom, the parser of ROS, reads: a second parent that closes a loop, lower > upper, an axis of length 0,
     and an rpy in degrees; and it does not need effort and velocity.
