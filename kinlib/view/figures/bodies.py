@@ -256,7 +256,8 @@ class _Builder:
         self.slides = [letter == "P" for letter in chain.joint_types]
         self.tip, self.tool = chain.home[:3, 3], chain.home[:3, :3]
         path = np.array([*chain.joint_points, self.tip])
-        reach = float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum()) or float(np.linalg.norm(path[0])) or 1.0
+        sizes = np.linalg.norm(np.diff(path, axis=0), axis=1).sum(), np.linalg.norm(path[0]), 1.0
+        reach = next(size for size in map(float, sizes) if size > 1e-9)  # less is a rounding error
         self.radius = (0.078 - 0.0035 * min(n, 10)) * reach
         self.sleeve = 0.24 * reach
         self.centres = path[:-1].copy()
