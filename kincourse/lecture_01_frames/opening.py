@@ -10,7 +10,7 @@ from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.viewer.pictures import Pictures, film, share
 
 CAMERA = homogeneous(exp([0, 0, np.pi]) @ exp([2.4, 0, 0]), (0.9, 0.5, 1.0))
-BESIDE = {"camera": [(90, 0)], "base": [(70, -14)]}
+BESIDE = {"camera": [(150, 0)], "base": [(140, -30)]}
 """Where the numbers are written, in pixels to the right of the middle of their arrow and above it: off both arrows in each picture."""
 
 START, END = np.array([0.9, 0.0, 0.2]), np.array([0.3, 0.7, 0.2])

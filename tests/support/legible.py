@@ -2,7 +2,7 @@
 
 import base64
 import re
-from itertools import combinations
+from itertools import combinations, pairwise
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -38,13 +38,18 @@ def overlapping_labels(picture):
     left, top, *sheet = map(float, drawing.get("viewBox").split())
     low = np.array([left, top])
     boxes = []
-    for text in drawing.findall(".//{http://www.w3.org/2000/svg}text"):
+    for before, text in pairwise(drawing.iter()):
+        if not text.tag.endswith("}text"):
+            continue
         said, size = "".join(text.itertext()), float(text.get("font-size"))
         half = np.array([0.25 * len(said), 0.4]) * size
         centre = np.array([float(text.get("x")), float(text.get("y")) - 0.35 * size])
         assert (centre - half > low).all(), said
         assert (centre + half < low + sheet).all(), said
         boxes.append((centre - half, centre + half, said))
+        if before.get("stroke-width") == "0.8":  # a thin line that leads to the label ends at its border
+            end = np.array(before.get("points").split()[-1].split(","), dtype=float)
+            assert (np.abs(end - centre) > half).any(), said
     return [(a[2], b[2]) for a, b in combinations(boxes, 2) if (a[0] < b[1]).all() and (b[0] < a[1]).all()]
 
 

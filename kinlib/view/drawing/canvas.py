@@ -262,10 +262,11 @@ class Canvas:
         marks = [mark for _, mark in sorted(self._marks, key=lambda mark: mark[0])]
         nothing = np.zeros((0, 2, 2))
         strokes, bodies = np.concatenate([nothing, *self._strokes]), np.reshape([*nothing, *self._bodies], (-1, 2, 2))
-        for label, centre in place_labels(self._labels, strokes, bodies, self._sheet):
+        for label, centre, half in place_labels(self._labels, strokes, bodies, self._sheet):
             way = centre - label.anchor
-            if (far := float(np.linalg.norm(way))) > FAR_LABEL_PX:  # a thin line leads to what it names
-                marks.append(svg.polyline(np.array([label.anchor, centre - way / far * label.size]), GREY, 0.8))
+            sizes = float(np.abs(way / half).max())
+            if sizes > 1 and np.linalg.norm(way) > FAR_LABEL_PX:  # a thin line leads from its border to what it names
+                marks.append(svg.polyline(np.array([label.anchor, centre - way / sizes]), GREY, 0.8))
             marks.append(svg.text(centre, label.text, label.colour, label.size))
         picture = Picture(svg.document(marks, *self._sheet), alt, caption)
         return crop([picture])[0] if cropped else picture

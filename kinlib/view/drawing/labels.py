@@ -31,8 +31,10 @@ class Label(NamedTuple):
     size: float
 
 
-def place_labels(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: Array) -> Iterator[tuple[Label, Array]]:
-    """Find for each label, in their order, the centre where it costs least; all in pixels.
+def place_labels(
+    labels: Sequence[Label], strokes: Array, bodies: Array, sheet: Array
+) -> Iterator[tuple[Label, Array, Array]]:
+    """Find for each label, in their order, the centre where it costs least, and half of its size; all in pixels.
 
     strokes (m, 2, 2) from point to point; bodies (k, 2, 2) upper left and lower right corners; sheet (2,).
     A label with the same text at the same point as an earlier one is left out.
@@ -51,7 +53,7 @@ def place_labels(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: 
         cost += BODY_COST * np.minimum(_overlaps(boxes, bodies), 2) + LINE_CROSSING_COST * _crossings(boxes, strokes)
         best = int(np.argmin(cost))
         taken = np.concatenate([taken, boxes[best : best + 1]])
-        yield label, centres[best]
+        yield label, centres[best], half
 
 
 def _overlaps(boxes: Array, others: Array) -> Array:
