@@ -126,7 +126,7 @@ _ASSEMBLED = table(
 _NO_MINUS = "leave out the minus sign of $-R^T p$ in the inverse of"
 _POSITION = "position of the inverse"
 _INVERSES = table(
-    ("inverse left out", "use ${0}$, where its inverse belongs |leave out every inverse", lambda T: T),
+    ("inverse left out", "use ${0}$, where its inverse belongs |leave out every inverse", None),
     ("transpose for inverse", "transpose ${0}$ instead of inverting it |transpose poses instead of inverting them",
      np.transpose, INVERSE_ADVICE),
     ("negative for inverse", "negate ${0}$ instead of inverting it |negate poses instead of inverting them", lambda T: -T, INVERSE_ADVICE),

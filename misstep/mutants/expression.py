@@ -238,7 +238,7 @@ def table(*rows: tuple[Any, ...], of_values: bool = False) -> Callable[[Expressi
 
     text       what is done: {} is the expression in LaTeX and {0}, {1} its arguments; after a bar, what is done in all places at
                once, in the same words if nothing follows
-    change     from the arguments, or from a given value itself, to the wrong expression
+    change     from the arguments, or from a given value itself, to the wrong expression; None if the operation is left out
     advice     written like the text; it may be left out, and so may the further fields of Slip, as a dictionary
     of_values  whether the changes are functions of the values of the arguments
 
@@ -257,7 +257,7 @@ def table(*rows: tuple[Any, ...], of_values: bool = False) -> Callable[[Expressi
             )
             did, bar, everywhere = (part.strip() for part in said.partition(" |"))
             make = Operation(name, change, node.operation.latex) if of_values else change
-            wrong = as_expression(make(*arguments))
+            wrong = as_expression(make(*arguments) if change else arguments[0])
             yield Slip(name, did, wrong, everywhere or did * bool(bar), advice, **(more[1] if len(more) > 1 else {}))
 
     return slips
