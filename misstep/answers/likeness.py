@@ -113,11 +113,13 @@ class Likeness:
         is_short = np.asarray((np.abs(mine - unit * np.round(right / unit)) < 1e-6 * unit).all(axis=-1))
         if (is_short | ~wrong).all() and (is_short & (np.abs(mine - right) > 1e-9).any(axis=-1)).any():
             return rounded
-        # Numbers that are left at 0 are not rounded, and one number with a single digit may be another one.
+        # Numbers that are left at 0 are not rounded, one number with a single digit may be another one, and a matrix with a single 1 in
+        # each row and column another rotation.
+        is_other = self.mine.ndim > 2 and all((np.abs(self.mine).sum(axis=k) == 1).all() for k in (0, 1))
         count, are_short, least = np.count_nonzero(wrong), bool(is_short[wrong].all()), np.abs(right[wrong]).min()
         for decimals in (3, 2, 1, 0) if 2 * np.count_nonzero(mine[wrong]) >= count else ():
-            has_two_digits = decimals > 1 and least >= 10.0 ** (1 - decimals)
-            is_told = are_short or has_two_digits or count > (1 if decimals else 2)
+            has_two_digits = decimals != 1 and least >= 10.0 ** (1 - decimals)
+            is_told = are_short or has_two_digits or count > (1 if decimals else np.inf if is_other else 2)
             if is_told and (np.abs(mine - np.round(right, decimals)) < 1e-9).all():
                 return rounded
         return None

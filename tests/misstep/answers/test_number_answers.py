@@ -76,9 +76,10 @@ def test_what_an_answer_resembles_is_named_and_true():
         assert words in finding.message
 
 
-def test_a_single_number_is_called_rounded_if_two_of_its_digits_are_left():
-    for right, typed, is_told in [(0.7732, 0.77, True), (0.0637, 0.06, False), (0.7732, 0.78, False)]:
-        assert ("rounded" in mistakes(Numbers(np.array(right)), typed)) == is_told
+def test_a_number_is_called_rounded_if_two_of_its_digits_are_left_and_no_rotation_that_was_left_out():
+    turned = ([[0.5, -0.866], [0.866, 0.5]], [[0, -1], [1, 0]], False)
+    for right, typed, told in [turned, (0.7732, 0.77, 1), (0.0637, 0.06, 0), (34.94, 35, 1), (0.7732, 0.78, 0)]:
+        assert ("rounded" in mistakes(Numbers(np.array(right)), typed)) == told
 
 
 def test_of_a_right_answer_in_another_form_no_entry_is_called_wrong():
