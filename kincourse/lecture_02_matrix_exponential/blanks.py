@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.expressions.poses import assemble, inverse, logarithm, pose
 from kincourse.expressions.rodrigues import position_exp, rotation_exp
 from kincourse.expressions.screws import direction
@@ -40,7 +40,7 @@ def leaning_rotation(_draw: ArmSampler) -> Problem:
     R = rotation_exp(direction("\\omega", angled_arm().screws[1, :3]), third_of_a_turn())
     return Problem(
         statement="Give $R = e^{[\\omega]q}$ for joint 2 of the angled arm, $q = 2\\pi/3$.",
-        answer=Numbers(R),
+        answer=RotationAnswer(R),
         advice={"sign of an angle": "The first row of $[\\omega]$ is $(0, -\\omega_z, \\omega_y)$."},
     )
 

@@ -19,8 +19,8 @@ from kinlib.chains.robots import Y, mid_formula_arm, rpr
 from misstep.display.text import matrix, vector
 from misstep.mutants.expression import given, product
 
-CONFIGURATION_RAD = np.radians([90, -90, 90, 90])
-"""The joint values of step 04.c: right angles, so that every entry of the pose can be checked on paper."""
+CONFIGURATION_RAD = np.radians([90, -30, 60, -90])
+"""The joint values of step 04.c: plain angles, at which each joint that is left out or negated gives another pose."""
 
 
 @problem("04.a", "A body screw by the adjoint", points=1, lecture="04_poe_body#The adjoint")

@@ -38,9 +38,7 @@ def overlapping_labels(picture):
     left, top, *sheet = map(float, drawing.get("viewBox").split())
     low = np.array([left, top])
     boxes = []
-    for before, text in pairwise(drawing.iter()):
-        if not text.tag.endswith("}text"):
-            continue
+    for before, text in [pair for pair in pairwise(drawing.iter()) if pair[1].tag.endswith("}text")]:
         said, size = "".join(text.itertext()), float(text.get("font-size"))
         half = np.array([0.25 * len(said), 0.4]) * size
         centre = np.array([float(text.get("x")), float(text.get("y")) - 0.35 * size])

@@ -84,6 +84,13 @@ def plain_text(template, judgement):
     return Verdict(template, judgement)._repr_mimebundle_()["text/plain"]
 
 
+def test_one_step_that_went_wrong_has_one_name_in_the_steps_01b_and_04c():
+    inverse, product = (drawn(blanks()[number], STUDENTS[0]) for number in ("01.b", "04.c"))
+    assert "or if" not in judge(inverse, np.linalg.inv(inverse.answer.value)).findings[0].message
+    one_joint = [one.value for one in product.known_mistakes if one.name in ("sign of a joint value", "joint at zero")]
+    assert len(np.unique(np.round(one_joint, 6), axis=0)) == 2 * 4 + 2  # and all four at once
+
+
 def test_an_unfilled_answer_is_blank_and_a_hostile_value_gets_a_card_with_what_was_expected():
     """A value is read by the kind of answer, so one problem of each kind is enough."""
     pairs = [(template, drawn(template, STUDENTS[0])) for template in TEMPLATES + BLANK_STEPS]
