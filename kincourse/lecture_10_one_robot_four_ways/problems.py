@@ -9,6 +9,7 @@ from itertools import accumulate
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kincourse.answers.dh_row import DHRowsAnswer
 from kincourse.answers.point import VectorsAnswer
@@ -35,6 +36,7 @@ from kinlib.rigid.lie import inverse as inverted
 from kinlib.rigid.rpy import roll_pitch_yaw
 from misstep.answers.angle import Angles
 from misstep.answers.choice import Choice
+from misstep.answers.likeness import LENGTH, PURE
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
 from misstep.display.text import degrees, matrix, number, vector
@@ -185,6 +187,9 @@ class OriginsAnswer(Numbers):
     def parts(self) -> Sequence[str]:
         return [*(f"the origin of joint {i}" for i in range(1, len(self.value))), "the origin of the tool"]
 
+    def kinds(self) -> NDArray[np.int_]:
+        return np.broadcast_to([[PURE] * 3 + [LENGTH]] * 3 + [[PURE] * 4], np.shape(self.value))
+
 
 def misread_origins(T: Array) -> Iterator[tuple[str, Array, str]]:
     """Yield how people get the origins (k, 4, 4) of a drawn file wrong: the name, the wrong poses, and what is true of them."""
@@ -268,8 +273,8 @@ def origins_of_the_file(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"{_begin(project)}Sheet 3 of the drawing shows the frames of the file: the frame of joint i has its origin at Fi, its "
         "z along the axis of the joint, and its x along the arrow. The base is {s}, and the last frame is that of the tool at T, with the "
-        "arrows xT and zT. Give the origins of the joints and of the tool, each as a pose in the frame before it: an array of shape "
-        f"({len(project.joints) + 1}, 4, 4).",
+        "arrows xT and zT. Give the origins of the joints and of the tool, each as a pose in the frame before it, in metres: an array of "
+        f"shape ({len(project.joints) + 1}, 4, 4).",
         method="With the frames as poses in {s}, the origin of joint $i$ is $T_{i-1}^{-1}\\,T_i$. Their origins: "
         + ", ".join(f"${vector(p)}$" for p in frames[1:, :3, 3])
         + ".",
@@ -336,7 +341,7 @@ def how_far_off(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"{_begin(project)}With the received body screws and your own home pose, how far is the tool at worst from where the "
         "tracker measured it? The origin of the home pose is T, and the arrows xT and zT are two of its axes. `given.q` has the joint "
-        "values of the log, one row for each pose in `given.poses`. Answer in millimetres.",
+        "values of the log, one row for each pose in `given.poses`. Answer in millimetres, with two decimals.",
         method=f"$T(q) = M\\,e^{{[B_1]q_1}} \\cdots e^{{[B_{right.n}]q_{right.n}}}$ for each row of the log. The distance is largest at "
         f"pose {worst + 1}, where it puts the tool at ${vector(fk[worst, :3, 3])}$ and the tracker measured "
         f"${vector(log.poses[worst, :3, 3])}$.",
