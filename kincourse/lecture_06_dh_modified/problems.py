@@ -253,20 +253,16 @@ def which_convention(sampler: ArmSampler) -> Problem:
         "d": "neither convention gives this pose, so the table has a fault",
     }
     why = {
-        "a": f"In the standard convention, the table puts the end-effector {number(off['standard'])} m from the measured position"
-        + (", with another orientation." if turned["standard"] else "."),
-        "b": f"In the modified convention, the table puts the end-effector {number(off['modified'])} m from the measured position"
-        + (", with another orientation." if turned["modified"] else "."),
         "c": "The two conventions do not give the same pose here. Multiply the rows in both, and compare each product with $T$.",
         "d": "At least one of the two conventions gives this pose. Compare all sixteen entries.",
     }
-    if truth == "c":
-        why["a"] = (
-            "It may be standard. But in the modified convention it gives the same pose, because all $d$ and $\\theta$ are 0 here."
-        )
-        why["b"] = (
-            "It may be modified. But in the standard convention it gives the same pose, because all $d$ and $\\theta$ are 0 here."
-        )
+    for letter, name, other in (("a", "standard", "modified"), ("b", "modified", "standard")):
+        place = f"In the {name} convention, the table puts the end-effector {number(off[name])} m from the measured position"
+        why[letter] = place + (", with another orientation." if turned[name] else ".")
+        if truth == "c":
+            why[letter] = (
+                f"It may be {name}. But the {other} convention gives the same pose, because all $d$ and $\\theta$ are 0 here."
+            )
     listed = "\n".join(f"- `'{letter}'`: {text}" for letter, text in options.items())
     problem = Problem(
         statement="The table of an arm with two revolute joints does not say in which convention it is. Base and tool are "

@@ -292,6 +292,7 @@ def wrong_joint(sampler: ArmSampler) -> Problem:
     own = draw_machine(sampler.student).chain.body_screws
     off = np.abs(received - own).max(axis=1)
     right = str(1 + off.argmax())
+    agrees = "The body screw of this joint is that of your own screws: $B_i = \\mathrm{Ad}_{M^{-1}} S_i$."
     problem = Problem(
         statement=f"{_begin(project)}You received its body screws\n\n$$B = {matrix(received)},$$\n\none row for each joint. Exactly one "
         "is wrong. Which one, and how large is the largest difference between an entry of it and the right one? Answer with the number of "
@@ -301,15 +302,7 @@ def wrong_joint(sampler: ArmSampler) -> Problem:
         further="Which log would not have shown this error?",
         given={"body_screws": received},
         answer=Choice(right, names),
-        mistakes=[
-            Mistake(
-                number,
-                number,
-                f"You answered {name}. The body screw of this joint is that of your own screws: $B_i = \\mathrm{{Ad}}_{{M^{{-1}}}} S_i$.",
-            )
-            for number, name in names.items()
-            if number != right
-        ],
+        mistakes=[Mistake(k, k, f"You answered {name}. {agrees}") for k, name in names.items() if k != right],
     )
     return problem.with_reason(Numbers(np.array(off.max())), "the difference")
 
@@ -392,6 +385,7 @@ def offset_from_a_log(sampler: ArmSampler) -> Problem:
     q = np.array([[sampler.integer(-12, 12) / 10 for _ in range(4)] for _ in range(5)])
     poses = robot.fk(q + offset * np.eye(4)[joint - 1])
     names = {str(i): f"joint {i}" for i in (1, 2, 3, 4)}
+    no_fit = "No single offset of this joint explains all poses of the log."
     problem = Problem(
         statement="The zero of one joint of an arm is off: the joint value is larger than its encoder says by a constant offset. You "
         "have a log of encoder values in radians, a row of `q` for each pose in `poses`, and the screw axes and the home pose of the arm, "
@@ -403,15 +397,7 @@ def offset_from_a_log(sampler: ArmSampler) -> Problem:
         further="Two joints with parallel axes both have an offset. Which of the two could you still find?",
         given={"screws": robot.screws, "home": robot.home, "q": q, "poses": poses},
         answer=Choice(str(joint), names),
-        mistakes=[
-            Mistake(
-                f"joint {number}",
-                number,
-                f"You answered joint {number}. No single offset of this joint explains all poses of the log.",
-            )
-            for number in names
-            if number != str(joint)
-        ],
+        mistakes=[Mistake(name, k, f"You answered {name}. {no_fit}") for k, name in names.items() if k != str(joint)],
     )
     return problem.with_reason(Angles(np.array(offset)), "the offset")
 

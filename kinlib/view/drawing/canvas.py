@@ -35,9 +35,6 @@ MARGIN_SHARE = 0.33
 BORDER_PX = 20.0
 """Border in pixels for the labels at the tips of arrows."""
 
-FAR_LABEL_PX = 24.0
-"""A label farther from what it names gets a thin line that leads to it."""
-
 HEIGHT_LABEL_OFFSETS = [(20, 0), (-20, 0), (20, 12), (-20, -12), (20, 26), (-20, 26), (20, -26), (-20, -26)]
 FOOT_LABEL_OFFSETS = [
     *((0, -14), (38, -6), (-38, -6), (0, 14), (0, -28)),
@@ -264,9 +261,11 @@ class Canvas:
         strokes, bodies = np.concatenate([nothing, *self._strokes]), np.reshape([*nothing, *self._bodies], (-1, 2, 2))
         for label, centre, half in place_labels(self._labels, strokes, bodies, self._sheet):
             way = centre - label.anchor
-            sizes = float(np.abs(way / half).max())
-            if sizes > 1 and np.linalg.norm(way) > FAR_LABEL_PX:  # a thin line leads from its border to what it names
-                marks.append(svg.polyline(np.array([label.anchor, centre - way / sizes]), GREY, 0.8))
+            border = centre - way / max(1.0, float(np.abs(way / half).max()))
+            if (
+                np.linalg.norm(border - label.anchor) > label.size
+            ):  # it is far away, so a thin line leads to what it names
+                marks.append(svg.polyline(np.array([label.anchor, border]), GREY, 0.8))
             marks.append(svg.text(centre, label.text, label.colour, label.size))
         picture = Picture(svg.document(marks, *self._sheet), alt, caption)
         return crop([picture])[0] if cropped else picture
