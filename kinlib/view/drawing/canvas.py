@@ -146,20 +146,11 @@ class Canvas:
         self._marks.append((level, svg.polygon(np.array([tip, neck + across, neck - across]), colour)))
         self._strokes.append(np.array([[tail, tip]]))
 
-    def axis(
-        self,
-        start: ArrayLike,
-        tip: ArrayLike,
-        name: str = "",
-        *,
-        width: float = 1.5,
-        level: float = 3.5,
-        size: float = 11,
-    ) -> None:
+    def axis(self, start: ArrayLike, tip: ArrayLike, name: str = "", *, width: float = 1.5, level: float = 3.5) -> None:
         """Draw a joint axis: a dashed violet arrow in the positive direction, with its name at the tip."""
         self.arrow(start, tip, VIOLET, width, style="--", level=level)
         if name:
-            self.label(tip, name, VIOLET, size=size)
+            self.label(tip, name, VIOLET)
 
     def body(self, corners: ArrayLike, colour: str, level: float = 3.0, edge: str = INK) -> None:
         """Draw the outline of a convex body, given points on its surface."""

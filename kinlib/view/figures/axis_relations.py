@@ -113,7 +113,7 @@ def _draw_pair(canvas: Canvas, axes: Sequence[tuple[Array, Array]], ends: Sequen
     """Draw two axes, each from one end to the other, measured from the point of its joint."""
     for name, (axis, place), (low, high) in zip("12", axes, ends, strict=True):
         canvas.line([place + low * axis, place], VIOLET, 1.6, "--", level=2)
-        canvas.axis(place, place + high * axis, f"$z_{name}$", width=2, size=12)
+        canvas.axis(place, place + high * axis, f"$z_{name}$", width=2)
         draw_joint_body(canvas, "R", axis, place)
 
 
