@@ -22,6 +22,6 @@ def slide_the_boom(after: Any) -> Any:
         return {"s": np.eye(4), "boom": boom, "forearm": boom @ origin(WRIST)}
 
     def caption(degrees: float) -> str:
-        return f"origin in the file: {WRIST}; wrist in {{s}}: {vector_text(links(degrees)['forearm'][:3, 3].round(2))}"
+        return f"origin in the file: {WRIST}; wrist in {{s}}: {vector_text(links(degrees)['forearm'][:3, 3].round(2))}."
 
     return slide_frames(links, "joint 1 (degrees)", [0, 30, 60, 90], caption=caption, arrows=True, after=after)

@@ -36,7 +36,7 @@ def draw_series(
     The pale circle is where rotations about S take the point. If a sum ends off the circle, it is not a rotation.
 
     >>> draw_series(kl.robots.rpr().screws[0], np.pi / 2, (0, 0, 1), 2).alt        # doctest: +NORMALIZE_WHITESPACE
-    'Terms of the exponential as arrows, head to tail, for a rotation by 90 degrees. The first 2 take the point from
+    'Terms of the exponential as arrows, head to tail, for a rotation by 90 degrees. 2 terms take the point from
     (0, 0, 1) to (-1.57, 0, 7.28). That is 4.75 m from its goal (-5, 0, 4), and 3.55 m off the circle.'
     """
     S = np.asarray(S)
@@ -68,7 +68,7 @@ def draw_series(
     distance = f"{_metres(far)} from its goal"
     alt = (
         f"Terms of the exponential as arrows, head to tail, for a rotation by {np.degrees(q):.4g} degrees. "
-        f"The first {terms} take the point from {vector_text(sums[0])} to {vector_text(reached)}. "
+        f"{terms} term{'s take' if terms > 1 else ' takes'} the point from {vector_text(sums[0])} to {vector_text(reached)}. "
         f"That is {distance} {vector_text(goal)}, and {_metres(abs(off))} off the circle."
     )
     caption = f"{terms} term{'s' * (terms > 1)}: the sum is {distance}, {_metres(abs(off))} off the circle"
