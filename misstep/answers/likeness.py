@@ -108,21 +108,17 @@ class Likeness:
     def _rounded(self) -> Named | None:
         mine, right = (x.reshape(-1, x.shape[-1]) for x in (self.mine, self.right))
         wrong = np.ravel(~self._equal(mine, right))
-        rounded = "rounded", "These are the right numbers, but rounded too much. Keep at least four significant digits."
         unit = 10.0 ** (np.floor(np.log10(np.maximum(np.abs(right), 1e-12))) - 2)  # of the third digit
-        is_short = np.asarray((np.abs(mine - unit * np.round(right / unit)) < 1e-6 * unit).all(axis=-1))
-        if (is_short | ~wrong).all() and (is_short & (np.abs(mine - right) > 1e-9).any(axis=-1)).any():
-            return rounded
-        # Numbers that are left at 0 are not rounded, one number with a single digit may be another one, and a matrix with a single 1 in
-        # each row and column another rotation.
+        is_rounded = bool((np.abs(mine - unit * np.round(right / unit)) < 1e-6 * unit)[wrong].all())
+        # Numbers left at 0 are not rounded, one digit may be that of another number, and one 1 in each row and column another rotation.
         is_other = self.mine.ndim > 2 and all((np.abs(self.mine).sum(axis=k) == 1).all() for k in (0, 1))
-        count, are_short, least = np.count_nonzero(wrong), bool(is_short[wrong].all()), np.abs(right[wrong]).min()
+        count, least = np.count_nonzero(wrong), np.abs(right[wrong]).min()
         for decimals in (3, 2, 1, 0) if 2 * np.count_nonzero(mine[wrong]) >= count else ():
             has_two_digits = decimals != 1 and least >= 10.0 ** (1 - decimals)
-            is_told = are_short or has_two_digits or count > (1 if decimals else np.inf if is_other else 2)
-            if is_told and (np.abs(mine - np.round(right, decimals)) < 1e-9).all():
-                return rounded
-        return None
+            is_told = has_two_digits or count > (1 if decimals else np.inf if is_other else 2)
+            is_rounded |= bool(is_told and (np.abs(mine - np.round(right, decimals)) < 1e-9).all())
+        text = "These are the right numbers, but rounded too much. Keep at least four significant digits."
+        return ("rounded", text) if is_rounded else None
 
     def _signs(self) -> Named | None:
         mine, right = self.mine, self.right

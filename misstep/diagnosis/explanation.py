@@ -142,10 +142,14 @@ def _explain_parts(
 
 
 def _distinct(mistakes: Sequence[Mistake]) -> list[Mistake]:
-    """Return one mistake of each name, the first one that leaves points to the right parts if there is one."""
-    by_name = {mistake.name: mistake for mistake in reversed(mistakes) if mistake.spoils}
-    by_name |= {mistake.name: mistake for mistake in reversed(mistakes) if not mistake.spoils}
-    return [mistake for mistake in mistakes if by_name[mistake.name] is mistake]
+    """Return one mistake of each name, the first one that leaves points to the right parts if there is one, and the same elsewhere."""
+    by_name = {one.name: one for spoils in (True, False) for one in reversed(mistakes) if one.spoils == spoils}
+    return [one for one in mistakes if (kept := by_name[one.name]) is one or (one.did and _is_elsewhere(one, kept))]
+
+
+def _is_elsewhere(one: Mistake, other: Mistake) -> bool:
+    """Return whether the same is done to two expressions, of which none is a part of the other."""
+    return FORMULA.sub("$", one.did) == FORMULA.sub("$", other.did) and not _is_same_slip(one, other)
 
 
 def _is_same_slip(one: Mistake, other: Mistake) -> bool:

@@ -40,6 +40,11 @@ def test_one_change_is_named_with_its_factor():
         assert finding.message.startswith("This is what you get if you ")
 
 
+def test_both_places_are_named_at_which_one_change_leads_to_the_answer():
+    [finding] = judge(Problem("", Numbers(given("A", 2.0) + given("B", 2.0))), 2.0).findings
+    assert finding.message == "This is what you get if you leave out $A$, or if you leave out $B$."
+
+
 def test_a_mistake_of_the_author_comes_before_the_mutants():
     own = Mistake("my own name", BY_HAND["reversed"], "My own words.")
     assert judge(matrices(mistakes=[own]), BY_HAND["reversed"]).mistakes == ["my own name"]
