@@ -253,9 +253,7 @@ class Canvas:
         for label, centre, half in place_labels(self._labels, strokes, bodies, self._sheet):
             way = centre - label.anchor
             border = centre - way / max(1.0, float(np.abs(way / half).max()))
-            if (
-                np.linalg.norm(border - label.anchor) > label.size
-            ):  # it is far away, so a thin line leads to what it names
+            if np.linalg.norm(border - label.anchor) > label.size:  # a thin line leads to what it names
                 marks.append(svg.polyline(np.array([label.anchor, border]), GREY, 0.8))
             marks.append(svg.text(centre, label.text, label.colour, label.size))
         picture = Picture(svg.document(marks, *self._sheet), alt, caption)
