@@ -138,22 +138,17 @@ def _paragraphs(
     >>> _paragraphs([Finding(["x"], "It is 0.")])
     ['It is 0.']
     """
-    findings = [
-        replace(one, message=one.message.partition("\n")[0] if is_first else one.message.replace("\n", " "))
-        for one in findings
-    ]
+    texts = [one.message.partition("\n")[0] if is_first else one.message.replace("\n", " ") for one in findings]
+    merged = _merged([replace(one, message=text) for one, text in zip(findings, texts, strict=True)])
     listed = _enumeration(right_parts)
     shown = listed if len(listed) < MAX_LENGTH / 4 else f"{len(right_parts)} parts"
     before = [said_of_right.format(shown)] * bool(right_parts)
-    merged = _merged(findings)
-    is_on_whole = len(merged) == 1 and not right_parts
     if len(merged) == 1 and right_parts and len(_enumeration(merged[0].parts)) > 60:
         merged[0] = replace(merged[0], parts=["the others"])  # because the right ones are listed
-
     whole = [f"{one.message} {one.check}".strip() for one in merged]
     if sum(map(len, whole)) > MAX_LENGTH:
         whole = [one.message if one is merged[0] else SENTENCE_END.split(one.message)[0] for one in merged]
-    if is_on_whole:
+    if len(merged) == 1 and not right_parts:
         return whole
     return before + [
         f"{_capitalized(_enumeration(one.parts))}: {said}" for one, said in zip(merged, whole, strict=True)
