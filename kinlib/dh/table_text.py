@@ -97,6 +97,8 @@ def read_rows(
         ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
         told.append(Assumption(f"The {end} was read as a translation by {format_vector(ends[end][:3, 3])} m."))
     plain = TOOLBOX_END.sub("", plain)
+    if inch := re.search(r"(?i)\binch(?:es)?\b|[\[(]in[\])]|\w/in\b", plain):
+        raise ValueError(f"Lengths must be in m, cm or mm; the text has {inch[0]!r}. Multiply them by 25.4 for mm.")
     names = definitions(plain) | {plain_text(name): Entry(complex(value)) for name, value in lengths.items()}
     grid = next((found for reader in READERS if (found := reader(plain, names)) and found.rows), None)
     if grid is None:
@@ -157,7 +159,7 @@ def _name_columns(grid: Grid, order: str, is_modified: bool) -> None:
     named = dict(zip("0123", names, strict=False))  # beside the label of the row, if it has one
     grid.rows = [{named.get(key, key): cell for key, cell in row.items()} for row in grid.rows]
     if not order:
-        words = f"The columns have no heading: they were read as {', '.join(names)}."
+        words = f"The columns have no heading that can be read: they were read as {', '.join(names)}."
         grid.assume(words, "order", [best, *(known for known in ORDERS if known != best)][:6])
 
 

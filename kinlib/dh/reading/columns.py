@@ -57,6 +57,7 @@ def parse_heading(head: str) -> Heading:
     index = INDEX.search(plain)
     stem = plain[: index.start()] if index else plain
     whole, bare = (re.sub("[^a-z0]", "", text) for text in (plain, stem))
+    stem = re.sub(r"[\[(]\w+[\])]", "", stem)  # an unknown unit
     words = {*re.findall("[a-z]+", stem)} - {"angle", "joint", "length", "link", "offset", "twist"}
     alone = words.pop() if len(words) == 1 else ""  # in "link length a"
     column = next((COLUMN_NAMES[text] for text in (whole, bare, alone) if text in COLUMN_NAMES), "")

@@ -58,6 +58,7 @@ FORMS = {
                              for k, name in enumerate(("A", "ALPHA", "D"))),
     "rows with units": "\n".join(f"{name}\t" + "\t".join(f"{row[k]}" for row in ROWS)
                                  for k, name in enumerate(("a [m]", "alpha [rad]", "d [m]"))),
+    "units of another language": lines("Link d [m] a [m] alpha [grados] theta [grados]", "{i} {d} {a} {deg} 0"),
     "signs": lines("a alpha d theta", "{a:+} {deg:+}° {d:+} +0°"),
     "cells below each other": lines("Link\na\nα (deg)\nd\nθ", "{i}\n{a}\n{deg}\n{d}\n0"),
     "formulas of a spreadsheet": lines("a\talpha\td\ttheta", "{a}\t=RADIANS({deg})\t{d}\t=PI()*0"),
@@ -134,6 +135,8 @@ def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():
         ("a = [0, 1]\nalpha = [0, 0]\nd = [1]", r"lists of the same length; got a \(2\), alpha \(2\), d \(1\)"),
         ("x" * 200_000, "must have at most 100000 characters; got 200000"),
         ("9" * 90_000, "a word of 500 characters or more"),
+        ("All lengths are in inches.\na alpha d theta\n0 90 6 q1", "must be in m, cm or mm; the text has 'inches'"),
+        ("i a(in) alpha(deg) d(in) theta\n1 0 -90 26.45 0", r"must be in m, cm or mm; the text has '\(in\)'"),
         ("a alpha d theta\n0 5mm 0.1 q1", "Line 2, .*, alpha: '5mm' is no angle"),
     ],
 )
