@@ -581,7 +581,7 @@
 
     stop() {
       const running = queue[0];
-      stopPython();
+      for (const cell of stopPython()) if (cell.role === 'check') cell.dropCard(); // of the answer before
       this.status.textContent = STOPPED;
       if (running && running !== this) running.status.textContent = STOPPED;
       spoken.textContent = STOPPED;
