@@ -57,10 +57,10 @@ def main(command="help", *words):
         )
     if Path(sys.prefix).resolve() == VENV.resolve():  # an environment cannot make itself anew
         run([sys._base_executable, ROOT / "course.py", command, *words])
-    prepare(command)
-    arguments = [*PROGRAMS[command], *words]
     if command == "serve" and not SITE.exists():
         sys.exit("The site is not built yet. Try: python course.py site")
+    prepare(command)
+    arguments = [*PROGRAMS[command], *words]
     if command == "open" and getattr(os, "geteuid", lambda: 1)() == 0:
         print("You are root. JupyterLab refuses root unless it is told otherwise, so it is started with --allow-root.")
         arguments.append("--allow-root")
