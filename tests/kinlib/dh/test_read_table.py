@@ -44,8 +44,7 @@ FORMS = {
     " {0,0,-0.39225,0},\n {0, 0.10915, 0, M_PI/2},\n {0, 0.09465, 0, -M_PI_2},\n {0, 0.0823, 0, 0} };",
     "lists by column": "\n".join(f"{name} = {[row[k] for row in ROWS]}" for k, name in enumerate(("a", "alpha", "d"))),
     "lines by column": "\n".join(f"{n} " + " ".join(f"{row[k]}" for row in ROWS) for k, n in enumerate(("a", "alpha", "d"))),
-    "without a heading, in millimetres": "0 89.159 0 90\n0 0 -425 0\n0 0 -392.25 0\n0 109.15 0 90\n0 94.65 0 -90\n0 82.3 0 0",
-    "numbers of rows without a heading": lines("", "{i} {a} {alpha} {d} 0"),
+    "numbers of rows without a heading": "1 0 89.159 0 90\n2 0 0 -425 0\n3 0 0 -392.25 0\n4 0 109.15 0 90\n5 0 94.65 0 -90\n6 0 82.3 0 0",
     "an array with tabs and spaces": lines("dhparams = [", "{a}\t{alpha}   {d}   \t0;", "];"),
     "empty cells": "joint\ta\talpha\td\ttheta\n1\t\t90\t0.089159\tq1\n2\t-0.425\t\t\tq2\n3\t-0.39225\t\t\tq3\n"
     "4\t\t90\t0.10915\tq4\n5\t\t-90\t0.09465\tq5\n6\t\t\t0.0823\tq6",
@@ -138,9 +137,13 @@ def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():
         ("All lengths are in inches.\na alpha d theta\n0 90 6 q1", "must be in m, cm or mm; the text has 'inches'"),
         ("i a(in) alpha(deg) d(in) theta\n1 0 -90 26.45 0", r"must be in m, cm or mm; the text has '\(in\)'"),
         ("a alpha d theta\n0 5mm 0.1 q1", "Line 2, .*, alpha: '5mm' is no angle"),
+        ("a = [0, 0.4]\nd = [0.3, 0]", r"must be lists .*; got a [(]2[)], d [(]2[)]"),
+        ("# rows: alpha, d, theta\n0, 1.57, 0.3, 0\n0.4, 0, 0, 0", "has no a, but each row has 4 numbers"),
+        ("a1 = 0; alpha1 = pi/2; d1 = 0.3 * SCALE\na2 = 1; alpha2 = 0; d2 = 0", "0.3 [*] SCALE"),
+        ("L1 = 0.3 * SCALE\na | alpha | d | theta\n0 | 0 | L1 | q1\n1 | 0 | 0 | q2", "If L1 is the joint variable"),
     ],
 )
-def test_what_is_no_table_is_refused_with_its_line(text, words):
+def test_what_cannot_be_read_is_refused_with_its_place(text, words):
     with pytest.raises(ValueError, match=words):
         read_table(text)
 
@@ -285,20 +288,6 @@ def test_a_flipped_joint_counts_the_other_way_also_beside_another_call():
     table, _ = read_table(text, convention="standard")
     assert (table.joints, table.signs.tolist()) == ("RRP", [-1, 1, -1])
     assert table.rows[2] == pytest.approx([0, 0, 0.1, 0])
-
-
-@pytest.mark.parametrize(
-    ("text", "words"),
-    [
-        ("a = [0, 0.4]\nd = [0.3, 0]", r"must be lists .*; got a [(]2[)], d [(]2[)]"),
-        ("# rows: alpha, d, theta\n0, 1.57, 0.3, 0\n0.4, 0, 0, 0", "has no a, but each row has 4 numbers"),
-        ("a1 = 0; alpha1 = pi/2; d1 = 0.3 * SCALE\na2 = 1; alpha2 = 0; d2 = 0", "0.3 [*] SCALE"),
-        ("L1 = 0.3 * SCALE\na | alpha | d | theta\n0 | 0 | L1 | q1\n1 | 0 | 0 | q2", "If L1 is the joint variable"),
-    ],
-)
-def test_a_number_that_cannot_be_read_is_never_taken_for_zero(text, words):
-    with pytest.raises(ValueError, match=words):
-        read_table(text, convention="standard")
 
 
 def test_a_sentence_with_numbers_above_the_rows_is_no_row():
