@@ -1,11 +1,12 @@
 """Each lecture has one folder with its files and its picture, and the lists of lectures name what there is."""
 
 import json
+import re
 from pathlib import Path
 
 import pytest
 
-from kincourse import COURSE, sheets
+from kincourse import COURSE, find_sheet, sheets
 from kincourse.still_pictures import first_picture, on_paper
 from kincourse.table_of_lectures import table_rows
 
@@ -30,6 +31,16 @@ def test_the_readme_lists_every_lecture():
 
 def sources(name):
     return ["".join(cell["source"]) for cell in json.loads((NOTEBOOKS / f"{name}.ipynb").read_text("utf-8"))["cells"]]
+
+
+def test_the_page_of_sources_names_sections_and_problems_that_exist():
+    text = sources("sources")[-1]
+    sections = re.findall(r"\[\w+\]\((\w+)\.ipynb\) ([^|;]+?)(?=;| \|)", text)
+    assert len(sections) > 80
+    for lecture, section in sections:
+        assert re.search(rf"(?m)^#+ {re.escape(section)}$", "\n".join(sources(lecture))), (lecture, section)
+    for sheet, numbers in re.findall(r"exercises/(\w+)/\w+\.ipynb\) problems? ([\d, to]+)", text):
+        assert max(map(int, re.findall(r"\d+", numbers))) <= len(find_sheet(sheet).problems), (sheet, numbers)
 
 
 @pytest.mark.parametrize("lecture", COURSE.lectures)

@@ -117,14 +117,13 @@ def test_a_mistake_that_looks_like_the_right_answer_in_another_unit_is_left_out(
     assert judge(drawn, 280.0).mistakes == ["another distance"]
 
 
-def test_a_mistake_of_another_shape_is_refused_when_the_problem_is_made():
+def test_a_problem_is_refused_for_an_answer_of_no_kind_a_mistake_of_another_shape_or_the_number_of_another():
     with pytest.raises(ValueError, match=r"shape \(2, 6\).*shape \(6,\)"):
         two_rows([Mistake("one row", np.zeros(6), "?")])
-
-
-def test_an_answer_of_no_kind_is_refused_when_the_problem_is_made():
     with pytest.raises(ValueError, match=r"answer must be an Answer, such as Numbers\(\.\.\.\); got Expression"):
         Problem("How far?", of_solution("x", 1.0))
+    with pytest.raises(ValueError, match=r"its own number; 01.1 is there twice"):
+        templates_in(SimpleNamespace(one=template(two_rows), other=template(two_rows)))
 
 
 def test_a_card_names_score_mistake_and_section_and_its_findings_are_in_the_order_of_the_parts():
@@ -223,9 +222,3 @@ def test_the_tally_names_a_mistake_that_returns_also_if_it_was_corrected():
     *_, total, empty, line = sheet.tally()._repr_markdown_().splitlines()
     assert (total.startswith("| **together**"), empty) == (True, "")
     assert line == "- Returning mistake: “product for division” explains answers in 2 problems (01.1, 01.2)."
-
-
-def test_two_problems_with_one_number_are_refused():
-    module = SimpleNamespace(one=template(two_rows), other=template(two_rows))
-    with pytest.raises(ValueError, match=r"its own number; 01.1 is there twice"):
-        templates_in(module)
