@@ -156,8 +156,7 @@ def _name_columns(grid: Grid, order: str, is_modified: bool) -> None:
         suits.append({"a": -length, "alpha": length + craig, "d": -length, "theta": length + variable})
     best = order or max(ORDERS, key=lambda names: sum(suits[k].get(n, 0) for k, n in enumerate(names.split())))
     names = best.replace("offset", "theta").split()
-    named = dict(zip("0123", names, strict=False))  # beside the label of the row, if it has one
-    grid.rows = [{named.get(key, key): cell for key, cell in row.items()} for row in grid.rows]
+    grid.rows = [{names[int(key)] if key.isdigit() else key: cell for key, cell in row.items()} for row in grid.rows]
     if not order:
         words = f"The columns have no heading that can be read: they were read as {', '.join(names)}."
         grid.assume(words, "order", [best, *(known for known in ORDERS if known != best)][:6])

@@ -16,25 +16,17 @@ NAME = f"{SHEET}.ipynb"
 OPEN = 11
 """The number of the open problem of this sheet."""
 
-
-@cache
-def _released(name):
-    return (ROOT / "exercises" / name / f"{name}.ipynb").read_text("utf-8")
-
-
-@cache
-def _opened(name, student):
-    return open_sheet(name, student)
+opened = cache(open_sheet)
 
 
 def released(name=SHEET):
     """The sheet as students get it."""
-    return json.loads(_released(name))
+    return json.loads((ROOT / "exercises" / name / f"{name}.ipynb").read_text("utf-8"))
 
 
 @cache
 def _answered(student, wrong, skip, name, text):
-    notebook, sheet = released(name), _opened(name, student)
+    notebook, sheet = released(name), opened(name, student)
     for count, cell in enumerate((cell for cell in notebook["cells"] if cell["cell_type"] == "code"), start=1):
         kind, _, number = cell["id"].partition("-")
         if kind == "check" and int(number) in skip:
