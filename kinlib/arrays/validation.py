@@ -138,6 +138,7 @@ ADVICE = {
     ("Chain", "DHTable"): "Try assign_frames(chain, convention=...).table",
     ("Tree", "Chain"): "Try tree.chain(base, tip), the arm between two of its links",
     ("str", "Chain"): "Try load_urdf(...) with a file, or kl.robots",
+    **dict.fromkeys([(kind, "DHTable") for kind in ("list", "ndarray", "str")], "Try DHTable(..., convention=...)"),
     ("str", "Mapping"): "Try {'A': 1.0}, with the value of each name",
 }
 """What to try if something of one type is given where another one is needed."""

@@ -17,6 +17,7 @@ LINKAGE = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
         (lambda: kl.equivalent("abc", ARM), r"a must be a Chain .*got str 'abc'.*load_urdf"),
         (lambda: kl.equivalent(ARM, ARM, fixed="tool"), r"fixed must be .*got 'tool'. Try fixed=\["),
         (lambda: kl.equivalent(ARM, ARM, tolerance=0), "tolerance must be a positive number"),
+        (lambda: kl.diagnose(TABLE.rows, ARM), r"table must be a DHTable; got ndarray .*Try DHTable\(..., convention="),
         (lambda: kl.assign_frames(kl.robots.rpr, "standard"), r"chain must be a Chain; got function.*call it, rpr\(\)"),
         (lambda: kl.DHTable("a|alpha|d|theta\n0.4|0|0|t2", "standard"), "got 't2'. .*write q2"),
         (lambda: kl.DHTable("a|alpha|d|theta\n0|0|0|-q1", "standard", signs=[1]), "signs must be left out"),

@@ -119,8 +119,7 @@ def lines_of(text: str) -> list[str]:
 def split_line(line: str) -> list[list[str]]:
     """Split a line into cells at the separators that it may have, the surest first."""
     if separator := next((sign for sign in "|\t;" if sign in line), ""):
-        if separator == "\t":  # code aligns its columns with spaces, too
-            line = re.sub(r"(?<=\S) {2,}(?=\S)", "\t", line)
+        line = re.sub(r"(?<=\S) {2,}(?=\S)", "\t", line) if separator == "\t" else line  # code may align by both
         cells = (re.sub(r"^\||\|$", "", line.strip()) if separator == "|" else line).split(separator)
         return [[_cell(cell, decimal_comma=True) for cell in cells[:MAX_CELLS]]]
     found = []
