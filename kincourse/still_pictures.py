@@ -18,19 +18,18 @@ HANDS_ON = {"00_start_here": "drag", "03_poe_space": "space"}
 IMAGE = re.compile(r"!\[[^\n]*\]\(pictures/\w+\.svg\)\n\n")
 
 
-def add_arguments(parser: ArgumentParser) -> None:
-    """Add the arguments of the command."""
-    parser.add_argument("--notebooks", type=Path, default=Path("notebooks"), help="the folder of the lectures")
+def add_arguments(_: ArgumentParser) -> None:
+    """Add the arguments of the command, which has none."""
 
 
-def run(options: Namespace) -> int:
+def run(_: Namespace) -> int:
     """Write the picture of each lecture, and its name and text alternative into the first cell. Returns the exit code."""
     for lecture in COURSE.lectures:
         picture = first_picture(lecture)
-        drawing = options.notebooks / "pictures" / f"{lecture}.svg"
+        drawing = Path("notebooks", "pictures", f"{lecture}.svg")
         drawing.parent.mkdir(exist_ok=True)
         drawing.write_text(on_paper(picture), "utf-8")
-        path = options.notebooks / f"{lecture}.ipynb"
+        path = Path("notebooks", f"{lecture}.ipynb")
         notebook = json.loads(path.read_text("utf-8"))
         first = notebook["cells"][0]
         shown = picture.alt.removeprefix(f"{picture.caption} ")  # a caption asks the question of the film

@@ -57,9 +57,8 @@ def parse_heading(head: str) -> Heading:
     index = INDEX.search(plain)
     stem = plain[: index.start()] if index else plain
     whole, bare = (re.sub("[^a-z0]", "", text) for text in (plain, stem))
-    stem = re.sub(r"[\[(]\w+[\])]", "", stem)  # an unknown unit
-    words = {*re.findall("[a-z]+", stem)} - {"angle", "joint", "length", "link", "offset", "twist"}
-    alone = words.pop() if len(words) == 1 else ""  # in "link length a"
+    words = {*re.findall(r"(?<![\[(a-z])[a-z]+", stem)} - {"angle", "joint", "length", "link", "offset", "twist"}
+    alone = words.pop() if len(words) == 1 else ""  # in "link length a" and "alpha [grados]"
     column = next((COLUMN_NAMES[text] for text in (whole, bare, alone) if text in COLUMN_NAMES), "")
     subscript = "i" * bool(index and re.search("[ijkn]", index[0]))
     return Heading(column, unit, "i-1" if index and index[1] else subscript)

@@ -26,7 +26,8 @@ def read_lines(text: str, names: Mapping[str, Entry]) -> Grid:
         splits = [cells for cells in split_line(line) if not widths or len(cells) in widths]
         if "\t" in line and splits:  # a spreadsheet drops empty cells at the end
             splits[0] += [""] * (len(heads[0]) - len(splits[0]))
-        has_heading = heads != [UNNAMED]
+        if not (has_heading := heads != [UNNAMED]):
+            splits += [[cell for cell in cells if cell] for cells in splits[:1]]  # tabs may only align
         is_prose = not read and bool(re.match(r"\s*(?:#|%|//)(?=.*(?:[a-zA-Z]{2,} ){3})", raw))
         ways = [(cells, kind) for kind in heads for cells in splits] * (not is_prose)
         fits = [(*way, row) for way in ways if (row := _row(*way, grid))]

@@ -64,6 +64,7 @@ COMMENTS = [
 IN_LINES = [
     (r"^\s*(?:#+|%+|//+|/?\*+|>+)\s*", ""), (r"(?i)\b(joint|link|axis|j|l|link_?joint|row|frame)[\s_-]?(\d+|(?<=\s)[ijk])\b", r"\1\2"),
     (r"^[ \r]+|[ \r,]+$", ""), (r"^(\w+):\s+(?=.*,)", r"\1, "), (r"\s+in\s+(?=(?:mm?|cm|rad|deg\w*|°)(?!\w))", "/"),
+    (r"(?i)\b(?:link|joint) (?:length|offset|twist|angle) (?=(?:a|d|alpha|theta)\b)", ""),
     (r"\s+(?=[\[(](?:[a-zA-Z]+|°|i-1)[\])])", ""), (r"(?<=[\d°])\s*~\s*(?=[-+]?\d)", "~"),
 ]  # fmt: skip
 """What code and lists write around the rows of an array, behind a row, and around the cells of a line."""

@@ -44,7 +44,7 @@ FORMS = {
     " {0,0,-0.39225,0},\n {0, 0.10915, 0, M_PI/2},\n {0, 0.09465, 0, -M_PI_2},\n {0, 0.0823, 0, 0} };",
     "lists by column": "\n".join(f"{name} = {[row[k] for row in ROWS]}" for k, name in enumerate(("a", "alpha", "d"))),
     "lines by column": "\n".join(f"{n} " + " ".join(f"{row[k]}" for row in ROWS) for k, n in enumerate(("a", "alpha", "d"))),
-    "numbers of rows without a heading": "1 0 89.159 0 90\n2 0 0 -425 0\n3 0 0 -392.25 0\n4 0 109.15 0 90\n5 0 94.65 0 -90\n6 0 82.3 0 0",
+    "numbers of rows and wide gaps, without a heading": lines("", "{i}\t\t0\t\t{d}\t{a}\t\t{deg}"),
     "an array with tabs and spaces": lines("dhparams = [", "{a}\t{alpha}   {d}   \t0;", "];"),
     "empty cells": "joint\ta\talpha\td\ttheta\n1\t\t90\t0.089159\tq1\n2\t-0.425\t\t\tq2\n3\t-0.39225\t\t\tq3\n"
     "4\t\t90\t0.10915\tq4\n5\t\t-90\t0.09465\tq5\n6\t\t\t0.0823\tq6",
@@ -58,7 +58,7 @@ FORMS = {
     "rows with units": "\n".join(f"{name}\t" + "\t".join(f"{row[k]}" for row in ROWS)
                                  for k, name in enumerate(("a [m]", "alpha [rad]", "d [m]"))),
     "units of another language": lines("Link d [m] a [m] alpha [grados] theta [grados]", "{i} {d} {a} {deg} 0"),
-    "signs": lines("a alpha d theta", "{a:+} {deg:+}° {d:+} +0°"),
+    "signs": lines("Link length a Link offset d Link twist alpha Joint angle theta", "{a:+} {d:+} {deg:+}° +0°"),
     "cells below each other": lines("Link\na\nα (deg)\nd\nθ", "{i}\n{a}\n{deg}\n{d}\n0"),
     "formulas of a spreadsheet": lines("a\talpha\td\ttheta", "{a}\t=RADIANS({deg})\t{d}\t=PI()*0"),
     "long dashes": lines("a & alpha & d \\\\", "{a} & {deg}° & {d} \\\\").replace("-", "--"),
