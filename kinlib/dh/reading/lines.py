@@ -16,7 +16,7 @@ UNNAMED = [Heading(str(place)) for place in range(len(COLUMNS))]
 
 def read_lines(text: str, names: Mapping[str, Entry]) -> Grid:
     """Read lines of cells, with a heading or without one: columns without a name have their places, from "0" on."""
-    grid, heads, read, is_after_gap = Grid(names), [UNNAMED], list[list[str]](), False
+    grid, heads, read, is_after_gap, is_spreadsheet = Grid(names), [UNNAMED], list[list[str]](), False, False
     for number, raw in enumerate(lines_of(rows_in_lines(text)), start=1):
         line, place = cells_of_line(raw), f"Line {number}, {raw.strip()!r:.80}"
         if not re.sub(r"[|\s:+=-]", "", line):
@@ -24,7 +24,7 @@ def read_lines(text: str, names: Mapping[str, Entry]) -> Grid:
             continue
         widths = {len(cells) for cells in read} if is_after_gap else set[int]()  # after a gap another table may follow
         splits = [cells for cells in split_line(line) if not widths or len(cells) in widths]
-        if "\t" in line and splits:  # a spreadsheet drops empty cells at the end
+        if is_spreadsheet and "\t" in line and splits:  # it drops empty cells at the end
             splits[0] += [""] * (len(heads[0]) - len(splits[0]))
         if not (has_heading := heads != [UNNAMED]):
             splits += [[cell for cell in cells if cell] for cells in splits[:1]]  # tabs may only align
@@ -38,7 +38,7 @@ def read_lines(text: str, names: Mapping[str, Entry]) -> Grid:
             if len(grid.rows) < len(read):
                 grid.assume(f"What stands above the heading in line {number} was not read.")
                 grid.rows, grid.places, read = [], [], []
-            heads = found
+            heads, is_spreadsheet = found, "\t" in raw
             continue
         if fits:
             cells, kind, row = min(fits, key=lambda fit: len(fit[0]) != len(fit[1]))
