@@ -124,10 +124,10 @@ def split_line(line: str) -> list[list[str]]:
         cells = (re.sub(r"^\||\|$", "", line.strip()) if separator == "|" else line).split(separator)
         return [[_cell(cell, decimal_comma=True) for cell in cells[:MAX_CELLS]]]
     found = []
-    has_decimal_commas = re.fullmatch(r"(?:\S*\d,\d\S*|[^,\s]+)(?:\s+(?:\S*\d,\d\S*|[^,\s]+))*", line)
-    if ("," in line and not has_decimal_commas) or (line.count(",") >= 3 and " " not in line):
-        found.append([_cell(cell) for cell in line.split(",")[:MAX_CELLS]])
     spaced = re.sub(r"\s+([+*/])\s+|\s*([*/])\s*|(?<=[\w°)])\s+(-)\s+(?=\d|pi)", lambda f: f[1] or f[2] or f[3], line)
+    has_decimal_commas = re.fullmatch(r"(?:\S*\d,\d\S*|[^,\s]+)(?:\s+(?:\S*\d,\d\S*|[^,\s]+))*", line)
+    if ("," in line and not has_decimal_commas) or (line.count(",") >= 3 and " " not in spaced):
+        found.append([_cell(cell) for cell in line.split(",")[:MAX_CELLS]])
     # a space before a minus is enough after a number or a label: "1 -0.2", where "1 - 0.2" is a difference
     wide = re.sub(rf"(^\s*(?!theta|[qdt]_?\d)[A-Za-z]+\d+|{NUMBER})\s(?=-{NUMBER})", r"\1  ", spaced)
     splits = (re.split(pattern, wide)[:MAX_CELLS] for pattern in (r"\s{2,}", r"\s+"))

@@ -39,7 +39,7 @@ FORMS = {
         "└──┘\n\n│ name │ q0 │ q1 │ q2 │ q3 │ q4 │ q5 │\n│ q │ 0° │ 0° │ 0° │ 0° │ 0° │ 0° │",
         ),
     "calls": lines("robot = DHRobot([", "    RevoluteDH(d={d}, a={a}, alpha={alpha}),", "], name='UR5')"),
-    "an array with a comment": lines("# a, alpha, d, theta\nDH = np.array([", "[{a}, np.radians({deg}), {d}, 0],", "])"),
+    "an array with a comment": lines("# a, alpha, d, theta\nDH = np.array([", "[{a},np.radians({deg}),{d},q{i} + 0],", "])"),
     "an array of C": "double dh[6][4] = { // theta, d, a, alpha\n {0, 0.089159, 0, M_PI_2},\n {0, 0, -0.425, 0},\n"
     " {0,0,-0.39225,0},\n {0, 0.10915, 0, M_PI/2},\n {0, 0.09465, 0, -M_PI_2},\n {0, 0.0823, 0, 0} };",
     "lists by column": "\n".join(f"{name} = {[row[k] for row in ROWS]}" for k, name in enumerate(("a", "alpha", "d"))),
