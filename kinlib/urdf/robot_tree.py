@@ -344,7 +344,7 @@ class Tree(TakesLimitedValues):
 
     def _several_ends(self, base: str, tips: list[str]) -> str:
         """Say which links could be the end of an arm on a base."""
-        choices = "Choose a base with a moving joint below it."
+        choices = "Choose a base with a moving joint below it." if self.n else "No joint of the file has a value."
         if tips:
             counts = [sum(joint.moves for joint, _ in self.path(base, tip)) for tip in tips]
             named = (f"{tip} ({count} joint{'s'[: count != 1]})" for tip, count in zip(tips, counts, strict=True))

@@ -120,6 +120,7 @@ REFUSED = [
     (linked("abb", "ab"), 'Line 4, <link name="b">: the names of links must be different; line 3 has'),
     (linked("ab", "aβ"), 'Line 4, <child> in <joint name="j0">: joint j0 must join links; there is'),
     (linked("abcd", "ab", "bc", "cd", "db"), "Line 9, <child> in <joint .*link b is already the child of j0"),
+    (linked("a"), r"got 0\. No joint of the file has a value"),
     (linked("abc", "ab", "ac"), r'Line 2, <link name="a">: exactly one end .*; got 2\. Choose the tip, one of b'),
     ('<robot name="r">\n<xacro:macro name="arm"/></robot>', 'Line 2, <xacro:macro name="arm">: a macro must be'),
     ("", "must begin with <robot name=...>; got an empty text"),
