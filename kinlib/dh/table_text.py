@@ -97,8 +97,8 @@ def read_rows(
         ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
         told.append(Assumption(f"The {end} was read as a translation by {format_vector(ends[end][:3, 3])} m."))
     plain = TOOLBOX_END.sub("", plain)
-    if inch := re.search(r"(?i)\binch(?:es)?\b|[\[(]in[\])]|\w/in\b", plain):
-        raise ValueError(f"Lengths must be in m, cm or mm; the text has {inch[0]!r}. Multiply them by 25.4 for mm.")
+    if inch := re.search(r"(?i)\b(?:inch(?:es)?|feet|ft)\b|[\[(]in[\])]|\w/in\b", plain):
+        raise ValueError(f"Lengths must be in m, cm or mm; the text has {inch[0]!r}. One inch is 25.4 mm.")
     names = definitions(plain) | {plain_text(name): Entry(complex(value)) for name, value in lengths.items()}
     grid = next((found for reader in READERS if (found := reader(plain, names)) and found.rows), None)
     if grid is None:
@@ -145,6 +145,13 @@ def _name_columns(grid: Grid, order: str, is_modified: bool) -> None:
     """Name the columns of cells without a heading: as `order` says, or in the usual order that suits numbers and convention best."""
     if order and sorted(order.split()) not in [sorted(known.split()) for known in ORDERS]:
         raise ValueError(f'order must name the columns, such as "theta d a alpha"; got {order!r:.60}.')
+    numbers = [row["0"].rstrip(".") for row in grid.rows]
+    counted = [str((numbers[0] == "1") + k) for k in range(max(3, len(numbers)))]  # from 1 or from 0
+    is_numbered = numbers == counted and not order.startswith("theta")
+    orders = [known for known in ORDERS if known.endswith("theta") or not is_numbered]
+    if is_numbered:
+        grid.assume("The first column was read as the numbers of the rows, and each theta as the joint variable.")
+        grid.rows = [{**row, "0": row["1"], "1": row["2"], "2": row["3"], "3": "q"} for row in grid.rows]
     suits = []
     for k in "0123":
         text = " ".join(row[k] for row in grid.rows)
@@ -154,12 +161,12 @@ def _name_columns(grid: Grid, order: str, is_modified: bool) -> None:
         length, variable = 2 * is_angle or -bool((sizes % 1).any()), 4 * bool(re.search(r"\bq|theta", text))
         craig = (is_modified and k == "0") / 2  # these tables begin with alpha
         suits.append({"a": -length, "alpha": length + craig, "d": -length, "theta": length + variable})
-    best = order or max(ORDERS, key=lambda names: sum(suits[k].get(n, 0) for k, n in enumerate(names.split())))
+    best = order or max(orders, key=lambda names: sum(suits[k].get(n, 0) for k, n in enumerate(names.split())))
     names = best.replace("offset", "theta").split()
     grid.rows = [{names[int(key)] if key.isdigit() else key: cell for key, cell in row.items()} for row in grid.rows]
     if not order:
         words = f"The columns have no heading that can be read: they were read as {', '.join(names)}."
-        grid.assume(words, "order", [best, *(known for known in ORDERS if known != best)][:6])
+        grid.assume(words, "order", [best, *(known for known in orders if known != best)][:6])
 
 
 def _complete(grid: Grid) -> None:

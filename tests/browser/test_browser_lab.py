@@ -5,9 +5,7 @@ from browser import unwatched
 SHEET = "exercises/03_poe_space/03_poe_space.ipynb"
 WINDOW = {"width": 1200, "height": 1000}
 
-STORAGE_FULL = (
-    "() => { IDBObjectStore.prototype.put = () => { throw new DOMException('full', 'QuotaExceededError'); }; }"
-)
+FULL = "() => { IDBObjectStore.prototype.put = () => { throw new DOMException('full', 'QuotaExceededError'); }; }"
 
 HAS_STORED = """async (text) => {
     const result = (request) => new Promise((done, fail) => { request.onsuccess = () => done(request.result); request.onerror = fail; });
@@ -34,7 +32,7 @@ def test_a_browser_that_cannot_store_work_shows_a_message_and_offers_the_downloa
         page.locator(".jp-Notebook .jp-CodeCell").first.wait_for()
         write(page, "screws_1 = 'early words'")
         page.wait_for_function(HAS_STORED, arg="early words", polling=500)
-        page.evaluate(STORAGE_FULL)
+        page.evaluate(FULL)
         write(page, "screws_1 = 'not to be lost'")
         page.get_by_text("This browser cannot store your work").wait_for()
         with page.expect_download() as taken:

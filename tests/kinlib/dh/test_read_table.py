@@ -45,6 +45,7 @@ FORMS = {
     "lists by column": "\n".join(f"{name} = {[row[k] for row in ROWS]}" for k, name in enumerate(("a", "alpha", "d"))),
     "lines by column": "\n".join(f"{n} " + " ".join(f"{row[k]}" for row in ROWS) for k, n in enumerate(("a", "alpha", "d"))),
     "numbers of rows and wide gaps, without a heading": lines("", "{i}\t\t0\t\t{d}\t{a}\t\t{deg}"),
+    "numbers of rows, without a heading and theta": lines("", "{i} {deg} {a} {d}"),
     "an array with tabs and spaces": lines("% rows: [a, d, alpha, theta]\ndh = [", "{a}\t{d}   {alpha}   \t0;", "];"),
     "empty cells": "joint\ta\talpha\td\ttheta\n1\t\t90\t0.089159\tq1\n2\t-0.425\t\t\tq2\n3\t-0.39225\t\t\tq3\n"
     "4\t\t90\t0.10915\tq4\n5\t\t-90\t0.09465\tq5\n6\t\t\t0.0823\tq6",
