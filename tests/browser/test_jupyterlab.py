@@ -29,7 +29,7 @@ arm
 ---
 arm.q = [0.1, 0.2, 0.3, 0.4, 0.5]
 ---
-print('heard', len(changes), 'last', [round(x, 3) for x in arm.q])
+print('heard', len(heard := [*changes]), 'last', [round(x, 3) for x in heard[-1]])
 ---
 robot = open_sheet('07_frame_assignment', 'ada').problem(2).shown["arm"]
 hand = assign(robot, 'standard')
