@@ -7,8 +7,8 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp
 from kinlib.rigid.rpy import origin
+from kinlib.view import slide_frames
 from kinlib.view.drawing.picture import vector_text
-from kinlib.view.viewer.moving_frames import slide_frames
 
 BOOM, WRIST = (-4, -2, 0), (4, -2, 0)
 """The origins of the joints of the RPR arm, as its file gives them."""

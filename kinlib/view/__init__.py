@@ -26,9 +26,9 @@ if TYPE_CHECKING:
     from kinlib.view.browser import show
     from kinlib.view.viewer.dh_players import play_assignment, play_row, play_walk
     from kinlib.view.viewer.linkage_driver import drive
-    from kinlib.view.viewer.moving_frames import slide_frames
     from kinlib.view.viewer.pictures import film, slide
     from kinlib.view.viewer.place_frames import assign
+    from kinlib.view.viewer.steps import slide_frames
     from kinlib.view.viewer.viewer import explore
 
 __all__ = [
@@ -59,7 +59,7 @@ LAZY_NAMES = {
     "browser": {"show"},
     "viewer.dh_players": {"play_assignment", "play_row", "play_walk"},
     "viewer.linkage_driver": {"drive"},
-    "viewer.moving_frames": {"slide_frames"},
+    "viewer.steps": {"slide_frames"},
     "viewer.pictures": {"film", "slide"},
     "viewer.place_frames": {"assign"},
     "viewer.viewer": {"explore"},

@@ -99,7 +99,7 @@ def assignment_stop(assignment: FrameAssignment, k: int, count: int | None = Non
     head = f"{chain.name}, {assignment.table.convention} convention, step {k + 1} of {count or len(assignment.steps)}."
     return {
         "title": STEP_TITLES[step.kind].format(i=i, j=None if i is None else i + 1),
-        "texts": [step.text],
+        "text": step.text,
         "others": step.others,
         "alt": f"{head} {step.text}{axes} Drawn so far: {whole or 'the joints and their axes'}.",
         "parts": parts,

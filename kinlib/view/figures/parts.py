@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.validation import Array
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, INK, LIGHT_AND_DARK
+from kinlib.view.drawing.picture import Picture
 
 Part = dict[str, Any]
 
@@ -81,6 +82,19 @@ def draw_parts(canvas: Canvas, parts: Iterable[Part], size: float) -> None:
             _draw_turn(canvas, part, size)
         else:
             canvas.label(part["at"], part["text"], offsets=[(36, -44), (36, -54), (0, -44), (-36, -44)])
+
+
+def draw_parts_about(points: Array, parts: Iterable[Part], size: float, alt: str, caption: str = "") -> Picture:
+    """Return the drawing of parts over a floor, with points (m, 3) in view."""
+    canvas = Canvas(points)
+    canvas.floor(points)
+    draw_parts(canvas, parts, size)
+    return canvas.picture(alt, caption, cropped=True)
+
+
+def tips(poses: Array, length: float) -> Array:
+    """Return the ends of the axes of frames (..., 4, 4), of a length in metres, (m, 3)."""
+    return np.asarray((poses[..., :3, 3, None] + length * poses[..., :3, :3]).swapaxes(-1, -2).reshape(-1, 3))
 
 
 def _draw_line(canvas: Canvas, part: Part) -> None:

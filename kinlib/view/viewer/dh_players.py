@@ -1,10 +1,9 @@
 """Players of Denavit-Hartenberg: the motions of a row, the factors along an arm, and the steps of an assignment, as stops.
 
-The page treats motions as an arm whose joints they are, each about or along an axis that the motions before have moved. Therefore
-the scene graph that moves a robot also plays a row, in the order of its convention.
+A motion is a screw about or along an axis that the motions before have moved, so the page moves the frame by its exponential.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import accumulate
 from typing import Any, NamedTuple
 
@@ -16,16 +15,15 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.table import Convention, DHTable, format_rows, validate_convention
-from kinlib.rigid.lie import adjoint, exp, homogeneous
-from kinlib.view.drawing.canvas import Canvas, view_axes
+from kinlib.rigid.lie import adjoint, exp
 from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import frame_text
 from kinlib.view.figures.frame_assignment import assignment_stop, axis_ends, draw_assignment, visible_features
 from kinlib.view.figures.joint_bodies import stations
-from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part, turn_part
-from kinlib.view.viewer.scene import bare_scene, room
-from kinlib.view.viewer.steps import Steps, Stop, frame_arm
+from kinlib.view.figures.parts import Part, draw_parts_about, frame_part, line_part, tips, turn_part
+from kinlib.view.viewer.scene import bare_scene, scene_of_parts
+from kinlib.view.viewer.steps import Steps, Stop
 
 MOTIONS: dict[Convention, tuple[tuple[str, str, str], ...]] = {
     "standard": (
@@ -75,27 +73,27 @@ class Motion(NamedTuple):
 
 
 class Track(NamedTuple):
-    """Motions one after the other.
+    """Motions one after the other, from the identity.
 
     spans  the axes that are drawn: the name, and the numbers of motions done before and after which the frame is on it
     names  for each number of motions done, the index and the name of the frame that is then reached
     """
 
-    title: str
     motions: Sequence[Motion]
     spans: Sequence[tuple[str, int, int]]
     names: dict[int, tuple[str, str]]
 
-    def poses(self, start: Array) -> Array:
-        """Return the pose of the frame after 0, 1, ..., m motions from a start, (m + 1, 4, 4)."""
-        return np.array([*accumulate((exp(motion.twist) for motion in self.motions), np.matmul, initial=start)])
+    @property
+    def poses(self) -> Array:
+        """The pose of the frame after 0, 1, ..., m motions, (m + 1, 4, 4)."""
+        return np.array([*accumulate((exp(motion.twist) for motion in self.motions), np.matmul, initial=np.eye(4))])
 
 
 def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any = None) -> Steps:
-    """Play the four motions of a DH row in the order of one convention, or of both side by side.
+    """Play the four motions of a DH row in the order of a convention.
 
     row         (4,) a, alpha, d, theta, in metres and radians
-    convention  None shows both conventions, with the same four numbers
+    convention  None lets the reader choose between both, with the same four numbers
     after       a question; the picture stays covered until a prediction is committed
 
     Raises ValueError if row does not have shape (4,), or the convention is unknown.
@@ -110,7 +108,7 @@ def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any
         raise ValueError(f"row must be one row, of shape (4,); got {values.shape}. For several rows, use play_walk.")
     shown: list[Convention] = list(MOTIONS) if convention is None else [validate_convention(convention)]
     names = {0: ("i−1", ""), 4: ("i", "")}
-    return _player([Track(name, _row_motions(values, name), AXIS_SPANS[name], names) for name in shown], after)
+    return _player({name: Track(_row_motions(values, name), AXIS_SPANS[name], names) for name in shown}, after)
 
 
 def _row_motions(row: Array, convention: Convention) -> list[Motion]:
@@ -147,7 +145,7 @@ def play_walk(rows: ArrayLike, *, after: Any = None) -> Steps:
         ]
         spans.append((f"axis {i}", 2 * i - 2, 2 * i - 1))
         names |= {2 * i - 1: (f"{i}", f"{i} mod"), 2 * i: (f"{i}", f"{i} std")}
-    return _player([Track("", motions, spans, names)], after)
+    return _player({"": Track(motions, spans, names)}, after)
 
 
 def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = None, after: Any = None) -> Steps:
@@ -196,95 +194,61 @@ def _axis(one: Array, other: Array, name: str, size: float) -> Part:
     return line_part(low, high, "axis", name=name, dashed=True, tip=True)
 
 
-def _player(tracks: Sequence[Track], after: Any) -> Steps:
-    """Return the player of tracks side by side: the moving frame of each, the ways it has made, and the frames it has reached."""
-    count = len(tracks[0].motions)
-    around = np.concatenate([track.poses(np.eye(4))[:, :3, 3] for track in tracks])
-    size = max(float(np.ptp(around, axis=0).max()), 0.2)
-    right = view_axes("default")[1][0]
-    starts = [homogeneous(np.eye(3), 1.9 * k * size * right) for k in range(len(tracks))]
-    poses = np.array([track.poses(start) for track, start in zip(tracks, starts, strict=True)])
-    still: list[Part] = []
-    for track, own in zip(tracks, poses, strict=True):
-        still += [_axis(own[first], own[last], name, size) for name, first, last in track.spans]
-        still.append(frame_part(own[-1], "Oxyz", length=0.9 * FRAME_LENGTH, strong=False))
-        if len(tracks) > 1:
-            still.append({"kind": "name", "at": (own[0, :3, 3] - (0, 0, 0.5 * size)).tolist(), "text": track.title})
-    stops = []
-    for k in range(count + 1):
-        merged = [_track_stop(*one, k) for one in zip(tracks, poses, strict=True)]
-        stop: Stop = {key: [x for one in merged for x in one[key]] for key in merged[0] if key != "alt"}
-        stop["alt"] = f"Motions that move a frame: {k} of {count} done. {' '.join(one['alt'] for one in merged)}"
-        stop["q"] = [motion.value * (i < k) for track in tracks for i, motion in enumerate(track.motions)]
-        stops.append(stop | {"reached": k in tracks[0].names})
-    arms = [
-        frame_arm(start, [adjoint(start) @ motion.twist / (motion.value or 1) for motion in track.motions], k * count)
-        for k, (track, start) in enumerate(zip(tracks, starts, strict=True))
-    ]
-    tips = (poses[..., :3, 3, None] + FRAME_LENGTH * size * poses[..., :3, :3]).swapaxes(-1, -2).reshape(-1, 3)
-    points = np.array([*(part[end] for part in still if part["kind"] == "line" for end in ("from", "to")), *tips])
-    scene = {
-        "name": "a row of a DH table",
-        "size": size,
-        "arms": arms,
-        "room": room(points, 0.1 * size) | {"constant": True},
-        "floor": float(points[:, 2].min()) - 0.1 * size,
-        "offered": [],
-    }
-    product = [
-        {
-            "title": f"{track.title} convention" * bool(track.title),
-            "symbols": [motion.symbol for motion in track.motions],
+def _player(tracks: Mapping[str, Track], after: Any) -> Steps:
+    """Return the player of tracks, of which one is shown: the moving frame, the ways it has made, and the frames it has reached."""
+    size = max(float(np.ptp([track.poses[:, :3, 3] for track in tracks.values()], axis=(0, 1)).max()), 0.2)
+    variants: dict[str, dict[str, Any]] = {}
+    points = []
+    for name, track in tracks.items():
+        poses = track.poses
+        still = [_axis(poses[first], poses[last], axis, size) for axis, first, last in track.spans]
+        points += [[part["from"], part["to"]] for part in still] + [tips(poses, FRAME_LENGTH * size)]
+        variants[name] = {
+            "stops": [_stop(name, track, poses, k) for k in range(len(poses))],
+            "still": [*still, frame_part(poses[-1], "Oxyz", length=0.9 * FRAME_LENGTH, strong=False)],
+            "product": [motion.symbol for motion in track.motions],
         }
-        for track in tracks
-    ]
-    mode = {
-        "variants": {"": {"stops": stops}},
-        "name": "motion",
-        "pace": 1100,
-        "movers": [""] * len(tracks),
-        "length": FRAME_LENGTH,
-        "still": still,
-        "product": product,
-    }
+    shown = np.concatenate(points)
 
     def draw(player: Steps) -> Picture:
-        canvas = Canvas(points)
         stop, k = player.stop, player.stops.index(player.stop)
         done = [part for passed in player.stops[:k] for part in (*passed["ways"], *passed["turns"])]
-        moving = [] if stop["reached"] else [frame_part(own[k], "Oxyz", length=FRAME_LENGTH) for own in poses]
-        draw_parts(canvas, [*still, *done, *stop["parts"], *moving], size)
-        return canvas.picture(player.alt, cropped=True)
+        moving = [] if stop["reached"] else [frame_part(np.reshape(stop["pose"], (4, 4)), "Oxyz", length=FRAME_LENGTH)]
+        parts = [*variants[player.variant]["still"], *done, *stop["parts"], *moving]
+        return draw_parts_about(shown, parts, size, player.alt)
 
-    return Steps(scene, mode, draw, after=after)
+    mode = {"variants": variants, "name": "motion", "choice": "convention", "pace": 1100, "length": FRAME_LENGTH}
+    return Steps(scene_of_parts("a row of a DH table", shown, size), mode, draw, after=after)
 
 
-def _track_stop(track: Track, poses: Array, k: int) -> Stop:
-    """Return what a track shows after k motions; its ways and turns are those of the motion that follows."""
-    start, here = poses[0, :3, 3], poses[k]
-    parts, places = [], []
-    for reached, (sub, name) in track.names.items():
+def _stop(name: str, track: Track, poses: Array, k: int) -> Stop:
+    """Return what a track shows after k motions; its screw, ways and turns are those of the motion that follows."""
+    here, parts, places = poses[k], [], []
+    for reached, (sub, frame) in track.names.items():
         if reached <= k:
             T, length = poses[reached], FRAME_LENGTH * (1 if reached else 0.9)
-            shown = name if " " in name else ""
+            shown = frame if " " in frame else ""
             parts.append(frame_part(T, "Oxz", sub=sub, name=shown, length=length, strong=reached == k))
-            places.append(f"{{{name or sub}}} at {vector_text(T[:3, 3] - start)}")
-    ways, turns = [], []
+            places.append(f"{{{frame or sub}}} at {vector_text(T[:3, 3])}")
+    ways, turns, screw = [], [], {}
     for motion in track.motions[k : k + 1]:
+        screw = {"screw": (adjoint(here) @ motion.twist / (motion.value or 1)).tolist(), "value": motion.value}
         if motion.distance:
-            colour, name = ("axis", "d") if motion.axis == "z" else ("normal", "a")
-            name = name if motion.name in "da" else motion.name
-            ways.append(line_part(here[:3, 3], poses[k + 1, :3, 3], colour, name=name, width=4))
+            colour, letter = ("axis", "d") if motion.axis == "z" else ("normal", "a")
+            letter = letter if motion.name in "da" else motion.name
+            ways.append(line_part(here[:3, 3], poses[k + 1, :3, 3], colour, name=letter, width=4))
         if abs(motion.angle) > 0.01:
-            turns.append(
-                turn_part(here, motion.axis, motion.angle, motion.distance, "" if motion.distance else motion.name)
-            )
-    of = f", {track.title} convention," if track.title else ""
-    moving = frame_text(("", homogeneous(here[:3, :3], here[:3, 3] - start)))
+            of = "" if motion.distance else motion.name
+            turns.append(turn_part(here, motion.axis, motion.angle, motion.distance, of))
+    moving = f"The moving frame{f', {name} convention,' if name else ''} is"
+    head = f"Motions that move a frame: {k} of {len(track.motions)} done."
     return {
-        "texts": [track.motions[k - 1].text if k else "No motion is complete yet: the frame is at its start."],
+        "text": track.motions[k - 1].text if k else "No motion is complete yet: the frame is at its start.",
+        "pose": here.ravel().tolist(),
+        **screw,
+        "reached": k in track.names,
         "parts": parts,
         "ways": ways,
         "turns": turns,
-        "alt": f"{moving.replace('Frame {}', f'The moving frame{of} is')} Reached: {'; '.join(places)}.",
+        "alt": f"{head} {frame_text(('', here)).replace('Frame {}', moving)} Reached: {'; '.join(places)}.",
     }

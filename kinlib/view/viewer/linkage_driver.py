@@ -19,7 +19,7 @@ from kinlib.rigid.screw import line
 from kinlib.view.figures.bodies import solid_data
 from kinlib.view.figures.linkage import draw_linkage, is_planar, linkage_body, linkage_geometry
 from kinlib.view.viewer.scene import room
-from kinlib.view.viewer.steps import Steps, frame_arm
+from kinlib.view.viewer.steps import Steps
 
 POINTS_PER_CURVE = 240
 """The number of configurations of a curve; a full revolution has steps of one and a half degrees."""
@@ -149,7 +149,14 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
         "bodies": list(mechanism.bodies),
         "planar": is_planar(mechanism),
         "size": size,
-        "arms": [frame_arm(arm.chain.home, arm.chain.screws) | {"columns": arm.columns.tolist()} for arm in arms],
+        "arms": [
+            {
+                "columns": arm.columns.tolist(),
+                "joints": [{"screw": screw} for screw in arm.chain.screws.tolist()],
+                "home": arm.chain.home.ravel().tolist(),
+            }
+            for arm in arms
+        ],
         "solids": [
             {**on[name], "parts": parts} for name, parts in zip(mechanism.bodies, solid_data(body.links), strict=True)
         ],

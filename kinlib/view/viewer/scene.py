@@ -114,6 +114,20 @@ def bare_scene(chain: Chain, points: Array) -> dict[str, Any]:
     }
 
 
+def scene_of_parts(name: str, points: Array, size: float) -> dict[str, Any]:
+    """Return the scene of parts and of a frame that moves, without a robot, with points (m, 3) in view."""
+    frame = {"columns": [], "joints": [], "home": np.eye(4).ravel().tolist()}
+    region = room(points, 0.1 * float(np.ptp(points, axis=0).max())) | {"constant": True}
+    return {
+        "name": name,
+        "size": size,
+        "arms": [frame],
+        "room": region,
+        "floor": float(points[:, 2].min()) - 0.1 * size,
+        "offered": [],
+    }
+
+
 def arm_data(branch: Branch, *, bare: bool = False) -> dict[str, Any]:
     """Return a branch as data: joints, links, home, frames and common normals.
 

@@ -1,20 +1,30 @@
 """The player of steps: a list of stops that the reader goes through, forwards and back, in three dimensions.
 
-A stop is {"texts", "alt", "parts", ...}: what it says, and what is drawn there (figures.parts). Where stops have joint values "q",
-the page interpolates between them; where they have "poses", the frames jump. All stops are sent at once, so the page needs no Python.
+A stop is {"text", "alt", "parts", ...}: what it says, and what is drawn there (figures.parts). Where stops have joint values "q",
+the page interpolates between them; where they have a "pose" and a "screw", a frame moves along that screw to the next stop. All
+stops are sent at once, so the page needs no Python.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import traitlets
+from numpy.typing import ArrayLike
 
-from kinlib.arrays.validation import Array
+from kinlib.arrays import validation
 from kinlib.view.drawing.picture import Picture
+from kinlib.view.figures.arm import frame_text
+from kinlib.view.figures.parts import draw_parts_about, frame_part, line_part, tips
+from kinlib.view.viewer.pictures import value_text
+from kinlib.view.viewer.scene import room, scene_of_parts
 from kinlib.view.viewer.viewer import ViewerBase
 
 Stop = dict[str, Any]
+
+AXIS_SHARE, SMALLEST_M = 0.3, 0.3
+"""The length of the axes as a share of the extent of the origins, and the least extent, if the frames share an origin."""
 
 
 class Steps(ViewerBase):
@@ -87,8 +97,53 @@ class Steps(ViewerBase):
         return value
 
 
-def frame_arm(T: Array, screws: Sequence[Array] | Array = (), first: int = 0) -> dict[str, Any]:
-    """Return a frame at T that screws (n, 6) move, as an arm without links, whose first joint value is in the column `first` of q."""
-    joints = [{"screw": np.asarray(screw).tolist(), "point": [0.0, 0.0, 0.0]} for screw in screws]
-    columns = [first + i for i in range(len(joints))]
-    return {"columns": columns, "joints": joints, "home": (np.asarray(T) + 0.0).ravel().tolist()}
+def slide_frames(
+    frames_at: Callable[[Any], Mapping[str, ArrayLike]],
+    label: str,
+    values: Sequence[Any],
+    *,
+    caption: Callable[[Any], str] = lambda _: "",
+    arrows: bool = False,
+    after: Any = None,
+) -> Steps:
+    """Show frames in three dimensions, with one slider that moves them.
+
+    frames_at  a function from a value to {"s": T_ss, "b": T_sb, ...}, poses (4, 4) in one common frame; always the same names
+    label      what the values are
+    values     the values of the slider, in order
+    caption    a function from a value to the caption
+    arrows     whether an arrow leads from the origin of each frame to that of the next
+    after      a question; the picture stays covered until a prediction is committed
+
+    Raises ValueError if there are no values, or if a frame is not a pose.
+
+    >>> from kinlib.rigid.lie import homogeneous
+    >>> shown = slide_frames(lambda x: {"s": np.eye(4), "b": homogeneous(np.eye(3), (x, 0, 0))}, "x (m)", [0.0, 0.5, 1.0])
+    >>> shown.at = 1
+    >>> shown.alt[-58:]
+    'Frame {b} at (0.5, 0, 0), x along x, y along y, z along z.'
+    """
+    if len(values) == 0:
+        raise ValueError("values must contain at least one value; got none.")
+    frames = [frames_at(value) for value in values]
+    names = list(frames[0])
+    poses = np.array([[validation.poses(T, f"frame {name}") for name, T in one.items()] for one in frames]) + 0.0
+    origins = poses[..., :3, 3].reshape(-1, 3)
+    length = AXIS_SHARE * max(float(np.ptp(origins, axis=0).max()), SMALLEST_M)
+    points = np.concatenate([origins, tips(poses, length)])
+    size = room(points, 0.0)["radius"]
+    stops = []
+    for value, shown in zip(values, poses, strict=True):
+        said, ends = caption(value), pairwise(shown[:, :3, 3] if arrows else [])
+        lines = [line_part(a, b, "quiet", tip=True) for a, b in ends if np.linalg.norm(b - a) > 1e-6 * size]
+        told, named = [said], zip(names, shown, strict=True)
+        for name, T in named:
+            lines.append(frame_part(T, "Oxyz", sub=name if len(name) < 3 else "", name=name, length=length / size))
+            told.append(frame_text((name, T)))
+        stops.append({"title": value_text(value), "text": said, "alt": " ".join(told).strip(), "parts": lines})
+
+    def draw(player: Steps) -> Picture:
+        return draw_parts_about(points, player.stop["parts"], size, player.alt, player.stop["text"])
+
+    mode = {"variants": {"": {"stops": stops}}, "label": label}
+    return Steps(scene_of_parts("frames", points, size), mode, draw, after=after)

@@ -1,12 +1,14 @@
 // The player of steps in three dimensions: what a stop says and shows, and the motion from each to the next.
 // See kinlib/view/viewer/steps.py for its data.
-import { Vector3 } from 'three';
+import { Matrix4, Vector3 } from 'three';
 import { renderMathText, setSentence } from '../controls/math-text.js';
 import { stepControls } from '../controls/step-controls.js';
 import { button, h, NO_SHORTCUTS } from '../dom.js';
 import { listen, save } from '../model.js';
 import { haloText, strokeLines } from '../render/pen.js';
 import { describeLinkage } from '../scene/describe.js';
+import { matrixOf } from '../scene/kinematic-tree.js';
+import { screwExp } from '../scene/screw-exp.js';
 import { solids } from '../scene/solids.js';
 import { add, minus } from '../vectors.js';
 import { configurationMap } from './configuration-map.js';
@@ -25,7 +27,7 @@ export function steps({ model, stage, data }) {
   const at = () => Math.min(model.get('at'), last());
   const passed = () => Math.floor(at() + WITHIN);
   const stop = () => stops()[passed()];
-  const isWalk = Boolean(data.product);
+  const isWalk = Boolean(variant().product); // motions of a frame, one after the other
   const countText = () =>
     isWalk ? `${Number(at().toFixed(1))} of ${last()} motions` : `${data.name} ${passed() + 1} of ${last() + 1}`;
   const controls = stepControls({
@@ -51,21 +53,15 @@ export function steps({ model, stage, data }) {
   const count = h('span', { class: 'kv-small' });
   const title = h('p', { class: 'kv-title' });
   const others = h('p', { class: 'kv-note' });
-  const lines = (data.product ?? [{ symbols: [] }]).map(({ title: head, symbols }) => {
-    const factors = symbols.map((symbol, k) =>
+  const text = h('p', { class: isWalk ? 'kv-motion-text' : '' });
+  const product = h('div', { class: 'kv-product', hidden: !isWalk });
+  const factorsOf = (symbols) =>
+    symbols.map((symbol, k) =>
       button(renderMathText(symbol), () => controls.go(k + 1), {
         class: 'kv-factor',
         title: `Go to the end of motion ${k + 1}`,
       }),
     );
-    const text = h('p', { class: symbols.length ? 'kv-motion-text' : '' });
-    const parts = [
-      ...(head ? [h('p', { class: 'kv-title' }, head)] : []),
-      ...(factors.length ? [h('div', { class: 'kv-product' }, ...factors)] : []),
-      text,
-    ];
-    return { factors, text, element: h('div', { class: isWalk ? 'kv-track' : '' }, ...parts) };
-  });
   const table = h('div', { hidden: true });
   const map = data.map && configurationMap({ model, stage, data, variant, at, go: controls.go });
   const said = h('div', {
@@ -73,7 +69,7 @@ export function steps({ model, stage, data }) {
     'aria-live': 'polite',
     'aria-atomic': String(!isWalk),
   });
-  said.append(title, ...lines.map(({ element }) => element), others);
+  said.append(title, product, text, others);
   const named = data.label && !data.map ? [h('label', { for: controls.id }, `${data.label}: `), count] : [count];
   const element = h(
     'section',
@@ -94,13 +90,11 @@ export function steps({ model, stage, data }) {
     title.replaceChildren(...renderMathText(now.title ?? ''));
     others.replaceChildren(...(now.others ? [h('b', {}, 'Also valid: '), ...renderMathText(now.others)] : []));
     const current = Math.ceil(at() - WITHIN); // the motion that is being made, or has just been made
-    lines.forEach(({ factors, text }, k) => {
-      setSentence(text, stops()[isWalk ? current : passed()].texts?.[k] ?? '');
-      factors.forEach((factor, i) => {
-        factor.classList.toggle('kv-done', i < current);
-        if (i === current - 1) factor.setAttribute('aria-current', 'step');
-        else factor.removeAttribute('aria-current');
-      });
+    setSentence(text, stops()[isWalk ? current : passed()].text ?? '');
+    [...product.children].forEach((factor, i) => {
+      factor.classList.toggle('kv-done', i < current);
+      if (i === current - 1) factor.setAttribute('aria-current', 'step');
+      else factor.removeAttribute('aria-current');
     });
     const { convention, rows } = variant().table ?? {};
     if (!rows) return;
@@ -114,11 +108,10 @@ export function steps({ model, stage, data }) {
     const [here, there] = [stop(), stops()[Math.min(passed() + 1, last())]];
     const share = at() - passed();
     if (here.q) stage.setQ(here.q.map((value, k) => value + share * (there.q[k] - value)));
-    else if (here.poses) {
-      here.poses.forEach((pose, k) => {
-        stage.tree.arms[k].tool.matrix.set(...pose);
-        stage.tree.arms[k].tool.matrixWorldNeedsUpdate = true;
-      });
+    else if (here.pose) {
+      const moved = here.screw ? screwExp(here.screw, share * here.value) : new Matrix4();
+      stage.tree.arms[0].tool.matrix.copy(moved.multiply(matrixOf(here.pose)));
+      stage.tree.arms[0].tool.matrixWorldNeedsUpdate = true;
       stage.tree.root.updateMatrixWorld(true);
     }
     if (drawn !== here) {
@@ -194,7 +187,12 @@ export function steps({ model, stage, data }) {
     write();
     move();
   };
-  const stopListening = listen(model, { at: changed, variant: changed });
+  const changedVariant = () => {
+    stage.setLayer('still', solids(variant().still ?? [], { size, theme: stage.theme }));
+    product.replaceChildren(...factorsOf(variant().product ?? []));
+    changed();
+  };
+  const stopListening = listen(model, { at: changed, variant: changedVariant });
   return {
     element,
     replacesSliders: true,
@@ -205,12 +203,8 @@ export function steps({ model, stage, data }) {
     },
     applyTheme() {
       const kit = { size, theme: stage.theme };
-      stage.setLayer('still', solids(data.still ?? [], kit));
-      const frames = (data.movers ?? []).map((name, arm) => {
-        const names = { sub: name.length < 3 ? name : '', name };
-        return { kind: 'frame', arm, body: 'tool', pose: IDENTITY, letters: 'Oxyz', ...names, length: data.length };
-      });
-      const moving = solids(frames, kit);
+      const frame = { kind: 'frame', arm: 0, body: 'tool', pose: IDENTITY, letters: 'Oxyz', length: data.length };
+      const moving = isWalk ? solids([frame], kit) : [];
       stage.setLayer(
         'moving',
         moving.filter((part) => !part.label),
@@ -221,7 +215,7 @@ export function steps({ model, stage, data }) {
         moving.filter((part) => part.label),
       );
       drawn = undefined;
-      changed();
+      changedVariant();
     },
     dispose() {
       controls.stop();
