@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from kinlib.rigid.lie import exp
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.figures.axis_relations import draw_moving_normal
+from kinlib.view.figures.axis_relations import draw_axis_relation
 from kinlib.view.viewer.pictures import Pictures, film, share
 
 
@@ -14,7 +15,9 @@ def opening() -> Pictures:
         tilt = np.radians(70 - 40 * share(t, 2, 5))
         side = 0.9 - 0.9 * share(t, 10, 12) + 0.6 * share(t, 13, 14.5)
         turn = np.radians(-40) * (share(t, 5.7, 8.7) - share(t, 9.8, 11.8))
-        return draw_moving_normal(tilt, side, turn)
+        R = exp((0, 0, turn))
+        second = R @ (0, np.sin(tilt), np.cos(tilt)), R @ (side, 0.4, 0.5)
+        return draw_axis_relation(((0, 0, 1), (0, 0, 0)), second, film=True)
 
     return film(
         draw,

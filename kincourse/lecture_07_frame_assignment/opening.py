@@ -3,7 +3,7 @@
 import numpy as np
 
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.figures.axis_relations import draw_moving_normal
+from kinlib.view.figures.axis_relations import draw_axis_relation
 from kinlib.view.viewer.pictures import Pictures, film, share
 
 
@@ -11,7 +11,9 @@ def opening() -> Pictures:
     """Play the common normal of two axes while the second axis turns towards the direction of the first."""
 
     def draw(t: float) -> Picture:
-        return draw_moving_normal(np.radians(75 - 63 * share(t, 3, 8) - 12 * share(t, 9.5, 10.5)), 0.8)
+        tilt = np.radians(75 - 63 * share(t, 3, 8) - 12 * share(t, 9.5, 10.5))
+        second = (0, np.sin(tilt), np.cos(tilt)), (0.8, 0.4, 0.5)
+        return draw_axis_relation(((0, 0, 1), (0, 0, 0)), second, film=True)
 
     return film(
         draw,

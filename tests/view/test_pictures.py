@@ -8,7 +8,6 @@ import kinlib as kl
 from kincourse.dimensions import DrawnAxis, draw_dimensions
 from kinlib import view
 from kinlib.view.figures.arm import draw_lettered_chain
-from kinlib.view.figures.axis_relations import draw_moving_normal
 from kinlib.view.figures.dh_table import draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.figures.tree import draw_tree
@@ -53,7 +52,7 @@ PICTURES = {
     "frames": lambda: view.draw_frames(FRAMES, numbers=True),
     "skew axes": lambda: view.draw_axis_relation((Z, (0, 0, 0)), ((0, 0.6, 0.8), X)),
     "parallel axes": lambda: view.draw_axis_relation((Z, (0, 0, 0)), (Z, X)),
-    "moving normal": lambda: draw_moving_normal(0.2, 0.5),
+    "moving normal": lambda: view.draw_axis_relation((Z, (0, 0, 0)), ((0, 0.2, 0.98), (0.5, 0.4, 0.5)), film=True),
     "row": lambda: at_stop(view.play_row(ROW, convention="standard"), 4).picture(),
     "row, motion by motion": lambda: at_stop(view.play_row(ROW), 2).picture(),
     "factors": lambda: at_stop(view.play_walk(WALK), 3).picture(),

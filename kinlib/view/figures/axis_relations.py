@@ -1,23 +1,22 @@
 """The six ways in which two joint axes can be related, drawn: the axes, their common normals, and what these leave open."""
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays.formatting import format_number
 from kinlib.arrays.validation import Array
-from kinlib.dh.common_normal import Case, CommonNormal, common_normal
+from kinlib.dh.common_normal import Case, common_normal
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Gallery, Picture, vector_text
 from kinlib.view.figures.arm import direction_text
-from kinlib.view.figures.joint_bodies import around, draw_joint_body
+from kinlib.view.figures.joint_bodies import around as around_axis
+from kinlib.view.figures.joint_bodies import draw_joint_body
 
 X, Y, Z = np.eye(3)
 
-FARTHEST_FOOT_M = 1.9
-"""How far from the middle of the picture the foot of a common normal is still drawn."""
+FILM_CORNERS, FARTHEST_FOOT_M = [(-0.3, -0.7, -1.6), (1.3, 1.0, 1.5)], 1.9
+"""What a film shows, and how far from its middle the foot of a common normal is still drawn."""
 
 RELATIONS: dict[Case, str] = {
     "skew": "skew: one common normal",
@@ -49,8 +48,12 @@ def draw_axis_relations() -> Gallery:
     return Gallery(tuple(draw_axis_relation((Z, 0 * Z), second) for second in SECOND_AXES.values()))
 
 
-def draw_axis_relation(first: tuple[ArrayLike, ArrayLike], second: tuple[ArrayLike, ArrayLike]) -> Picture:
+def draw_axis_relation(
+    first: tuple[ArrayLike, ArrayLike], second: tuple[ArrayLike, ArrayLike], *, film: bool = False
+) -> Picture:
     """Draw two axes, each given by a unit direction and the point of its joint, and the common normal from first to second.
+
+    film  whether it is a picture of a film about a vertical axis and one that moves beside it: all of them have the same scale
 
     Of parallel axes some more of their common normals are drawn dotted; of coincident axes, a circle of directions.
 
@@ -61,67 +64,34 @@ def draw_axis_relation(first: tuple[ArrayLike, ArrayLike], second: tuple[ArrayLi
     one, other = ((np.asarray(z, dtype=float), np.asarray(point, dtype=float)) for z, point in (first, second))
     normal = common_normal(one, other, X, at_other_point=True)
     (z, origin), (w, point) = one, other
-    size = float(np.linalg.norm(point - origin)) + 0.3
+    size = 1.6 if film else float(np.linalg.norm(point - origin)) + 0.3
     tip = normal.end + 0.3 * size * normal.x
-    canvas = Canvas([origin, origin + 0.7 * size * z, point + 0.3 * size * w, tip], size=(250, 235))
-    low = [-max(0.35 * size, (place - normal.end) @ axis + 0.15 * size) for axis, place in (one, other)]
-    _draw_pair(canvas, (one, other), [(low[0], 0.95 * size), (low[1], 0.6 * size)])
+    around = [origin, origin + 0.7 * size * z, point + 0.3 * size * w, tip]
+    canvas = Canvas(FILM_CORNERS) if film else Canvas(around, size=(250, 235))
+    for name, (axis, place), high in (("1", one, 0.95), ("2", other, 0.6)):
+        low = -1.3 * size if film else -max(0.35 * size, (place - normal.end) @ axis + 0.15 * size)
+        canvas.line([place + low * axis, place], VIOLET, 1.6, "--", level=2)
+        canvas.axis(place, place + high * size * axis, f"$z_{name}$", width=2)
+        draw_joint_body(canvas, "R", axis, place)
     if normal.case in {"parallel", "antiparallel"}:
-        for step in (-0.25, 0.25, 0.5):
+        for step in (-0.5, -0.25, 0.25, 0.5):
             canvas.line([normal.start + step * size * z, normal.end + step * size * z], GREY, 1.4, ":", level=2.5)
     if normal.case in {"coincident", "anti-coincident"}:
-        circle = around(z, 0.3 * size, np.linspace(0, 2 * np.pi, 40))
+        circle = around_axis(z, 0.3 * size, np.linspace(0, 2 * np.pi, 40))
         canvas.line(normal.start + circle, GREY, 1.4, ":", level=2.5)
-    _draw_normal(canvas, normal, 3.0, 7)
-    canvas.arrow(normal.end, tip, ORANGE, 2.2, level=4)
-    canvas.label(tip, "$x$", ORANGE, size=12)
+    is_far = film and max(abs(normal.start[2]), abs(normal.end[2])) > FARTHEST_FOOT_M
+    if not is_far:
+        canvas.line([normal.start, normal.end], ORANGE, 3.0, level=3.2)
+        canvas.arrow(normal.end, tip, ORANGE, 2.2, level=4)
+        canvas.label(tip, "$x$", ORANGE, size=12)
+        for foot in (normal.start, normal.end):
+            canvas.dot(foot, INK, 7)
     axes = [f"along {direction_text(along)} through {vector_text(place)}" for along, place in (one, other)]
-    ways = f"from {vector_text(normal.start)} to {vector_text(normal.end)}, {_length(normal)}"
-    head = f"Axis 1 {axes[0]}, axis 2 {axes[1]}. They are {RELATIONS[normal.case]}. The one that is drawn leads"
-    return canvas.picture(f"{head} {ways}, and its x points along {direction_text(normal.x)}.", RELATIONS[normal.case])
-
-
-def draw_moving_normal(tilt: float, side: float, turn: float = 0.0) -> Picture:
-    """Draw a vertical axis and a tilted one beside it, with their common normal and its feet, all on the same canvas.
-
-    tilt  the angle between the axes in radians; 0 for parallel axes, of which all common normals are alike
-    side  the distance of the axes in metres; turn is the angle in radians by which axis 2 has rotated about axis 1
-
-    >>> draw_moving_normal(np.pi / 2, 0.8).alt
-    'Axis 1 along z, axis 2 at 90 degrees to it. The common normal leads from (0, 0, 0.5) to (0.8, 0, 0.5), its length is 0.8 m.'
-    """
-    x, y = np.cos(turn) * X + np.sin(turn) * Y, np.cos(turn) * Y - np.sin(turn) * X
-    pair = (Z, 0 * Z), (np.cos(tilt) * Z + np.sin(tilt) * y, side * x + 0.4 * y + 0.5 * Z)
-    normal = common_normal(*pair, X, at_other_point=True)
-    canvas = Canvas([(-0.3, -0.7, -1.6), (1.3, 1.0, 1.5)])
-    _draw_pair(canvas, pair, [(-1.7, 1.5), (-2.2, 1.1)])
-    feet = f"from {vector_text(normal.start)} to {vector_text(normal.end)}"
-    if normal.is_unique and max(abs(normal.start[2]), abs(normal.end[2])) > FARTHEST_FOOT_M:
-        where = f"The common normal is outside of the picture, {feet}"
-    elif normal.is_unique:
-        _draw_normal(canvas, normal, 3.2, 9)
-        where = f"The common normal leads {feet}"
-    else:
-        for height in np.linspace(-1.2, 1.2, 7):
-            canvas.line([normal.start + height * Z, normal.end + height * Z], ORANGE, 2.0, ":", level=3.2)
-        where = "Every line between them that is perpendicular to both is a common normal"
-    head = f"Axis 1 along z, axis 2 at {np.degrees(tilt):.0f} degrees to it."
-    return canvas.picture(f"{head} {where}, {_length(normal)}.")
-
-
-def _draw_pair(canvas: Canvas, axes: Sequence[tuple[Array, Array]], ends: Sequence[tuple[float, float]]) -> None:
-    """Draw two axes, each from one end to the other, measured from the point of its joint."""
-    for name, (axis, place), (low, high) in zip("12", axes, ends, strict=True):
-        canvas.line([place + low * axis, place], VIOLET, 1.6, "--", level=2)
-        canvas.axis(place, place + high * axis, f"$z_{name}$", width=2)
-        draw_joint_body(canvas, "R", axis, place)
-
-
-def _draw_normal(canvas: Canvas, normal: CommonNormal, width: float, foot_px: float) -> None:
-    canvas.line([normal.start, normal.end], ORANGE, width, level=3.2)
-    for foot in (normal.start, normal.end):
-        canvas.dot(foot, INK, foot_px)
-
-
-def _length(normal: CommonNormal) -> str:
-    return f"its length is {format_number(float(np.linalg.norm(normal.end - normal.start)), 3)} m"
+    length = format_number(float(np.linalg.norm(normal.end - normal.start)), 3)
+    ways = f"from {vector_text(normal.start)} to {vector_text(normal.end)}, its length is {length} m"
+    drawn = "It is outside of the picture, and leads" if is_far else "The one that is drawn leads"
+    return canvas.picture(
+        f"Axis 1 {axes[0]}, axis 2 {axes[1]}. They are {RELATIONS[normal.case]}. {drawn} "
+        f"{ways}, and its x points along {direction_text(normal.x)}.",
+        "" if film else RELATIONS[normal.case],
+    )
