@@ -282,7 +282,7 @@ def test_play_moves_one_joint_after_the_other_until_it_is_paused(show):
 def test_every_control_of_the_picture_changes_it_and_frames_are_chosen(show, page):
     """The view by mouse and by keys, layers, the trail, and the link that a slider moves while the pointer is on it."""
     viewer = show("arm")
-    viewer.set(q=[0, 0, 0, 0, 0], shown=["axes", "normals", "dimensions"])
+    viewer.set(q=[0, 0, 0, 0, 0], shown=["axes", "dimensions"])
     box = viewer.canvas.bounding_box()
     start, end = (box["x"] + 20, box["y"] + 15), (box["x"] + 80, box["y"] + 45)
 
@@ -296,7 +296,7 @@ def test_every_control_of_the_picture_changes_it_and_frames_are_chosen(show, pag
         for angle in (0.1, 0.4, 0.7, 0):
             viewer.set(q=[angle, 0, 0, 0, 0])
 
-    layers = [viewer.name("button", name=layer) for layer in ("screw axes", "common normals", "lengths")]
+    layers = [viewer.name("button", name=layer) for layer in ("screw axes", "lengths")]
     changes = [lambda: viewer.drag(start, end), shifted, lambda: page.mouse.wheel(0, -300), trail]
     changes += [viewer.root.locator("input[type=range]").nth(2).hover]
     changes += [lambda key=key: viewer.canvas.press(key) for key in ("ArrowLeft", "ArrowUp", "Shift+ArrowLeft", "+")]
@@ -306,7 +306,7 @@ def test_every_control_of_the_picture_changes_it_and_frames_are_chosen(show, pag
         change()
         viewer.wait("!x.includes(canvas.toDataURL())", [*seen])  # forever, if this control changes nothing
         seen.add(viewer.pixels())
-    assert [layer.get_attribute("aria-pressed") for layer in layers] == ["false"] * 3
+    assert [layer.get_attribute("aria-pressed") for layer in layers] == ["false"] * 2
     choose = viewer.label("Frames")
     choose.select_option(label="standard DH")
     assert {"x0", "z1", "x5"} <= viewer.names()
@@ -317,10 +317,10 @@ def test_every_control_of_the_picture_changes_it_and_frames_are_chosen(show, pag
 
 
 def test_no_label_covers_another_or_leaves_the_picture(show):
-    """The wrist of the PUMA 560 has three frames at one point, each with three letters, and there are six axes and five normals."""
+    """The wrist of the PUMA 560 has three frames at one point, each with three letters, and there are six axes."""
     viewer = show("puma")
     for q, frames in ((np.zeros(6), "standard"), (Q, "modified"), ([2, -1, 2.5, 1, -1, 2], "modified")):
-        viewer.set(shown=["axes", "normals", frames], q=q)
+        viewer.set(shown=["axes", frames], q=q)
         assert {f"{letter}{i}" for letter in "xz" for i in range(7)} <= viewer.names()
         boxes, size = viewer.run("[stage.names, [stage.width, stage.height]]")
         corners = np.array([[(box["left"], box["top"]), (box["right"], box["bottom"])] for box in boxes])

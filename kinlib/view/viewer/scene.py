@@ -1,4 +1,4 @@
-"""A robot as data for the page: joints, links, frames and common normals, sliders, and the region in view."""
+"""A robot as data for the page: joints, links, frames, sliders, and the region in view."""
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
@@ -11,8 +11,7 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.common_normal import CommonNormal, common_normal
-from kinlib.rigid.lie import homogeneous, inverse, perpendicular
+from kinlib.rigid.lie import homogeneous, inverse
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.canvas import VIEWS, axes_of_view
 from kinlib.view.figures.arm import body_motions
@@ -21,9 +20,6 @@ from kinlib.view.figures.joint_bodies import are_near, arm_size, axial_offsets, 
 from kinlib.view.figures.parts import ranks
 from kinlib.view.figures.tree import Branch, branches, joint_share, robot_body
 
-MAX_DETOUR_RATIO = 2.5
-"""The lengths of a link are along its axes and their common normal, unless that is longer than the straight line by this factor."""
-
 MIN_SIZE_IN_ROOM_RADII = 0.95
 """Joints, frames and arrows are drawn as for an arm of at least this size, relative to the radius of what is in view."""
 
@@ -31,8 +27,8 @@ HEIGHT_PER_WIDTH = 0.78
 """The shape of the picture on the page, as in js/viewer.js."""
 
 FRAME_LAYERS = ("base", "tool", "links", "standard", "modified")
-LAYERS = (*("axes", "body axes", "home axes"), *FRAME_LAYERS, *("normals", "dimensions", "trail"))
-"""The layers that the viewer can show: screw axes, frames, normals, dimensions and the path of the tool."""
+LAYERS = (*("axes", "body axes", "home axes"), *FRAME_LAYERS, *("dimensions", "trail"))
+"""The layers that the viewer can show: screw axes, frames, distances from joint to joint and the path of the tool."""
 
 DEFAULT_ANGLE_RAD, DEFAULT_TRAVEL_M = np.pi, 1.0
 """The range of a slider to either side of 0 if the joint has no limits: 180 degrees, or one metre."""
@@ -44,15 +40,13 @@ def scene(
     start: Array,
     *,
     joints: Sequence[int] | None = None,
-    span: tuple[float, float] | None = None,
     frames: Mapping[str, ArrayLike] | None = None,
 ) -> dict[str, Any]:
     """Return all that the page needs of a robot at start (n,), but its meshes; the arguments are those of `explore`.
 
     found  its branches
 
-    Raises ValueError if the robot does not have one of the joints, span does not contain the start, or a frame is not a pose or is
-    named otherwise than by its link.
+    Raises ValueError if the robot does not have one of the joints, or a frame is not a pose or is named otherwise than by its link.
     """
     kinds = {int(k): kind for one in found for k, kind in zip(one.columns, one.chain.joint_types, strict=True)}
     joints = [column + 1 for column in sorted(kinds)] if joints is None else list(joints)
@@ -85,7 +79,7 @@ def scene(
         "size": max(size, MIN_SIZE_IN_ROOM_RADII * region["radius"]) * joint_share(found),
         "arms": arms,
         "sliders": [
-            _slider(k, kinds[k] == "P", limits[k], float(start[k]), span) | {"title": titles[k]}
+            _slider(k, kinds[k] == "P", limits[k], float(start[k])) | {"title": titles[k]}
             for k in (joint - 1 for joint in joints)
         ],
         # JSON has no infinity
@@ -129,27 +123,22 @@ def scene_of_parts(name: str, points: Array, size: float) -> dict[str, Any]:
 
 
 def arm_data(branch: Branch, *, bare: bool = False) -> dict[str, Any]:
-    """Return a branch as data: joints, links, home, frames and common normals.
+    """Return a branch as data: joints, links, home and frames.
 
-    What an earlier branch shows too moves with this one, but is hidden. A bare arm, and a branch of a tree, have no common normals,
-    no frames but those of base and tool, and straight links, because a bend would show a normal.
+    What an earlier branch shows too moves with this one, but is hidden. A bare arm, and a branch of a tree, have no frames but
+    those of base and tool.
     """
-    chain, size, straight = branch.chain, arm_size(branch.chain), bare or bool(branch.tip)
-    paths = np.stack([stations(chain)[:-1], stations(chain)[1:]], axis=1).tolist() if straight else _link_paths(chain)
+    chain = branch.chain
     base, tool = frame_data("s", 0, np.eye(4)), frame_data(branch.tip or "b", chain.n, chain.home)
     ends = {"base": [] if branch.tip else [base], "tool": [tool]}
     return ({"tip": branch.tip} if branch.tip else {}) | {
         "columns": branch.columns.tolist(),
         "joints": _joints(branch),
-        "links": [[] if i < branch.shared else path for i, path in enumerate(paths)],
-        "home": chain.home.ravel().tolist(),
-        "frames": ends if straight else ends | _frames(chain, size, base, tool),
-        # the normal from axis i to axis i + 1 is fixed to body i
-        "normals": [
-            {"body": i, "from": normal.start.tolist(), "to": normal.end.tolist(), "along": normal.x.tolist()}
-            for i, normal in enumerate(_normals(chain), start=1)
-            if not straight and are_near(normal.start, size) and are_near(normal.end, size)
+        "links": [
+            [] if i < branch.shared else link for i, link in enumerate(map(list, pairwise(stations(chain).tolist())))
         ],
+        "home": chain.home.ravel().tolist(),
+        "frames": ends if bare or branch.tip else ends | _frames(chain, base, tool),
     }
 
 
@@ -194,31 +183,10 @@ def frame_data(name: str, body: int, pose: Array) -> dict[str, Any]:
     return {"name": name, "body": body, "pose": (np.asarray(pose) + 0.0).ravel().tolist()}
 
 
-def _slider(column: int, slides: bool, limits: Array, value: float, span: tuple[float, float] | None) -> dict[str, Any]:
+def _slider(column: int, slides: bool, limits: Array, value: float) -> dict[str, Any]:
     far = DEFAULT_TRAVEL_M if slides else DEFAULT_ANGLE_RAD
-    usual = (min(-far, value), max(far, value))
-    low, high = span or np.where(np.isfinite(limits), limits, usual)
-    if span and not low <= value <= high:
-        raise ValueError(
-            f"span must contain the start of joint {column + 1}, {value:.3g}; got {low:.3g} to {high:.3g}. "
-            "Is one of them in degrees?"
-        )
-    unit = "m" if slides else "rad"
-    return {"column": column, "name": f"q_{column + 1}", "unit": unit, "low": float(low), "high": float(high)}
-
-
-def _link_paths(chain: Chain) -> list[Any]:
-    """Return the lines of links 0 to n at home, along an axis, the common normal and the next axis, or straight if that is a detour."""
-    z, last, tool = chain.lines.axis[-1], chain.joint_points[-1], chain.home[:3, 3]
-    first = _normal((np.eye(3)[2], np.zeros(3)), (chain.lines.axis[0], chain.joint_points[0]))
-    bends = [(normal.start, normal.end) for normal in (first, *_normals(chain))] + [(last + z * (z @ (tool - last)),)]
-    paths = []
-    for (start, end), bend in zip(pairwise(stations(chain)), bends, strict=True):
-        path = np.array([start, *bend, end]) + 0.0
-        straight = float(np.linalg.norm(end - start))
-        is_detour = np.linalg.norm(np.diff(path, axis=0), axis=-1).sum() > MAX_DETOUR_RATIO * straight
-        paths.append((path[[0, -1]] if is_detour else path).tolist())
-    return paths
+    low, high = np.where(np.isfinite(limits), limits, (min(-far, value), max(far, value))).tolist()
+    return {"column": column, "name": f"q_{column + 1}", "unit": "m" if slides else "rad", "low": low, "high": high}
 
 
 def _joints(branch: Branch) -> list[dict[str, Any]]:
@@ -240,23 +208,14 @@ def _joints(branch: Branch) -> list[dict[str, Any]]:
     return found
 
 
-def _frames(chain: Chain, size: float, base: dict[str, Any], tool: dict[str, Any]) -> dict[str, Any]:
+def _frames(chain: Chain, base: dict[str, Any], tool: dict[str, Any]) -> dict[str, Any]:
     """Return the frames on the links of an arm: one on each, and those of each convention with base and tool where they differ."""
     links = enumerate(homogeneous(np.eye(3), chain.joint_points), start=1)
     shown = {"links": [frame_data(str(i), i, T) for i, T in links]}
     # A DH row has one variable, and a helical joint would need two.
     for convention in () if "H" in chain.joint_types else ("standard", "modified"):
         frames = assign_frames(chain, convention=convention).frames
-        drawable = [frame_data(str(i), i, T) for i, T in enumerate(frames) if are_near(T[:3, 3], size)]
+        drawable = [frame_data(str(i), i, T) for i, T in enumerate(frames) if are_near(T[:3, 3], arm_size(chain))]
         drawable += [base] * (not np.allclose(frames[0], np.eye(4)))
         shown[convention] = drawable + [tool] * (not np.allclose(frames[-1], chain.home))
     return shown
-
-
-def _normals(chain: Chain) -> list[CommonNormal]:
-    """Return the common normals of consecutive axes."""
-    return [_normal(*pair) for pair in pairwise(zip(chain.lines.axis, chain.joint_points, strict=True))]
-
-
-def _normal(first: tuple[Array, Array], second: tuple[Array, Array]) -> CommonNormal:
-    return common_normal(first, second, perpendicular(first[0]), at_other_point=True)

@@ -179,9 +179,7 @@ def explore(
     show: Collection[str] | None = None,
     after: Any = None,
     start: JointValues | None = None,
-    span: tuple[float, float] | None = None,
     frames: Mapping[str, ArrayLike] | None = None,
-    readout: bool | None = None,
     packages: Packages = (),
     visuals: tuple[Tree, str] | None = None,
 ) -> Viewer:
@@ -196,18 +194,16 @@ def explore(
     after    a question; the robot stays covered until a prediction is committed
     start    (n,) the first joint values, or a mapping from joint names to values; by default home, or within the limits of a
              tree. Afterwards `q` is synchronized with the page
-    span     the range of the sliders, in radians or metres; by default the limits of the joints
     frames   {"0": T_00, "1": T_01, ...} frames on the links of an arm, which the reader switches on one by one; poses (4, 4) in {s}
              at `start`. Frame i is fixed to link i and moves with it; frames beyond the last link are fixed to that one. A name
              with a prime, "1'", is a second frame on the same link, in grey. They replace {s}, {b} and the DH frames. The first
              one is shown at the beginning, or those in show: "frame 1"
-    readout  whether the pose of the end-effector is shown beside the picture; by default that of an arm
     packages a folder or folders of packages, or {name: folder}, in which the meshes of a tree are looked for; its own package and
              those of the environment variables of ROS are found without it. What is not found is said, and drawn by rule
     visuals  the file of which an arm is a part, as a tree, and the name of the link whose frame is {s}: the arm looks as the file says
 
-    Raises ValueError if the robot does not have one of the joints, values do not have shape (n,) or contain NaN, span does not
-    contain the start, a layer is unknown, a frame is not a pose or is not named by its link, or no joint moves by one value.
+    Raises ValueError if the robot does not have one of the joints, values do not have shape (n,) or contain NaN, a
+    layer is unknown, a frame is not a pose or is not named by its link, or no joint moves by one value.
 
     >>> arm = explore(kl.robots.youbot(), joints=[3])
     >>> arm.q = [0, 0, np.pi / 2, 0, 0]
@@ -223,12 +219,11 @@ def explore(
         layers = [layer for layer in layers if layer not in FRAME_LAYERS]
         named = any(f"frame {name}" in layers for name in frames)
         layers += [] if named else [f"frame {next(iter(frames))}"]
-    whole = scene(robot, found, home, joints=joints, span=span, frames=frames)
-    shows_pose = isinstance(robot, Chain) if readout is None else readout
+    whole = scene(robot, found, home, joints=joints, frames=frames)
     file = visuals[0] if visuals else robot if isinstance(robot, Tree) else None
     files, meshes, notes = read_meshes([branch.links for branch in found], file.folder if file else None, packages)
     for arm, own in zip(whole["arms"], meshes, strict=True):
         arm["meshes"] = own
     loaders = (STATIC / "meshes.js").read_text("utf-8") if files else ""
     read = {"meshes": files, "loaders": loaders, "notes": notes}
-    return Viewer(robot, whole, home, shown=layers, readout=shows_pose, after=after, **read)
+    return Viewer(robot, whole, home, shown=layers, readout=isinstance(robot, Chain), after=after, **read)

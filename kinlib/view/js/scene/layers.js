@@ -7,7 +7,6 @@ export const TOGGLES = {
   axes: 'screw axes',
   'body axes': 'body axes',
   'home axes': 'axes at home',
-  normals: 'common normals',
   dimensions: 'lengths',
   trail: 'trail',
 };
@@ -51,7 +50,6 @@ export function availableLayers({ arms, offered }, shown) {
     axes: true,
     'body axes': shown.includes('body axes'),
     'home axes': shown.includes('home axes'),
-    normals: arms.some((arm) => arm.normals?.length),
     dimensions: whole,
     trail: whole,
   };
@@ -59,7 +57,7 @@ export function availableLayers({ arms, offered }, shown) {
   return offered ? found.filter((name) => offered.includes(name)) : found; // a mode may restrict them
 }
 
-/** Axes, frames and normals lie inside the arm, so their hidden parts are drawn through it. */
+/** Axes and frames lie inside the arm, so their hidden parts are drawn through it. */
 const SEEN = { through: true };
 
 /** Build every layer of the arms in the colours of the stage's theme. */
@@ -84,7 +82,6 @@ export function buildLayers(stage, shown) {
     axes: () => each((arm) => parts.axes(arm, size, 'S', 'axis')),
     'body axes': () => each((arm) => parts.axes(arm, size, 'B', 'axis')),
     'home axes': () => each((arm) => parts.axes(arm, size, 'S', 'grey', () => 0)),
-    normals: () => each((arm) => parts.normals(arm, size)),
     dimensions: () => each((arm) => parts.dimensions(arm, size)),
   };
   for (const name of frameLayers(data)) {
@@ -111,8 +108,7 @@ export function framesIn({ arms }, layers) {
 /** Show the named layers, without the frames that are hidden, and hide the others. */
 export function showLayers(stage, shown, hidden = new Set()) {
   stage.showLayer('pin axes', shown.includes('axes'));
-  for (const name of ['axes', 'body axes', 'home axes', 'normals', 'dimensions'])
-    stage.showLayer(name, shown.includes(name));
+  for (const name of ['axes', 'body axes', 'home axes', 'dimensions']) stage.showLayer(name, shown.includes(name));
   for (const layer of frameLayers(stage.data))
     for (const name of framesIn(stage.data, [layer]))
       stage.showLayer(`frames ${layer} ${name}`, shown.includes(layer) && !hidden.has(name));

@@ -94,24 +94,13 @@ export function triads(frames, size, length, numbered) {
   });
 }
 
-/** Common normals. One of length 0 is drawn as a short line along its direction. */
-export function normals(arm, size) {
-  return arm.normals.map(({ body, from, to, along }, i) => {
-    const half = norm(minus(to, from)) < 1e-6 * size ? 0.09 * size : 0;
-    const ends = { from: add(from, along, -half), to: add(to, along, half) };
-    return { kind: 'line', body, ...ends, colour: 'normal', width: 2, dashed: true, name: `a_${i + 1}` };
-  });
-}
-
-/** Lengths of the links: a number in the middle of each segment. */
+/** Lengths of the links: the distance from joint to joint, in the middle of each line. */
 export function dimensions(arm, size) {
-  return arm.links.flatMap((path, body) =>
-    path.slice(1).flatMap((to, k) => {
-      const length = norm(minus(to, path[k]));
-      const text = `${Number(length.toPrecision(4))}`;
-      return length < 0.02 * size ? [] : [{ kind: 'name', body, at: middle(path[k], to), text, weight: 3 }];
-    }),
-  );
+  return arm.links.flatMap(([from, to], body) => {
+    const length = from ? norm(minus(to, from)) : 0;
+    const text = `${Number(length.toPrecision(4))}`;
+    return length < 0.02 * size ? [] : [{ kind: 'name', body, at: middle(from, to), text, weight: 3 }];
+  });
 }
 
 /** The solids of a linkage, and its joints with their names. */
