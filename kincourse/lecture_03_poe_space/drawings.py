@@ -7,9 +7,9 @@ from kinlib.chains.chain import Chain
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, INK, JOINT_FILL, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, picture_from_figure
-from kinlib.view.figures.arm import body_motions
 from kinlib.view.figures.bodies import body_of
 from kinlib.view.figures.body_drawing import draw_body
+from kinlib.view.figures.joint_bodies import body_motions
 
 
 def draw_two_rails(travel: float = 0.6) -> Picture:

@@ -41,7 +41,7 @@ from kinlib.rigid.lie import adjoint
 from kinlib.symbolic.formulas import screw as symbolic_screw
 from kinlib.symbolic.merge_rotations import homogeneous
 from kinlib.symbolic.numbers import exact
-from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
+from kinlib.view import draw_arm, draw_joints
 from misstep.answers.function import Function
 from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
@@ -348,7 +348,7 @@ def home_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         f"an axis of {{s}}, and the letter beside it is its length. Give the home pose $M = T_{{sb}}$ as a matrix of formulas "
         f"in {_listed(robot)}.",
         further="Which entries of $M$ stay the same if {b} is moved to the wrist?",
-        figure=partial(draw_lettered_chain, robot.chain, robot.letters, home=False),
+        figure=partial(draw_joints, robot.chain, letters=robot.letters),
         given={"L": _symbols(robot)},
         answer=PoseExpressionAnswer(_symbolic_home(robot), _symbols(robot)),
         solution=solution,
@@ -386,7 +386,7 @@ def screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         statement=f"This is the arm of Problem 9. Give its screw axes $S_1$ to $S_{n}$ in {{s}}, in rows: {n} rows of six formulas "
         f"in {_listed(robot)}.",
         further="Two joints have parallel axes. Which entries of their screws must agree?",
-        figure=partial(draw_lettered_chain, robot.chain, robot.letters, home=False),
+        figure=partial(draw_joints, robot.chain, letters=robot.letters),
         given={"L": _symbols(robot)},
         answer=ScrewExpressionsAnswer(_symbolic_screws(robot), _symbols(robot)),
         solution=solution,
@@ -430,7 +430,7 @@ def kinematics_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         f"the lengths {_listed(robot)}, and returns $T(q)$. The check calls it with values of its own.",
         method="The screws $S_i$ are those of Problem 10, and $M$ is that of Problem 9.",
         further="Which entries of $T(q)$ do not depend on the last joint value?",
-        figure=partial(draw_lettered_chain, robot.chain, robot.letters),
+        figure=partial(draw_joints, robot.chain, letters=robot.letters),
         answer=Function(lambda q, lengths: robot.with_lengths(lengths).fk(q), PoseAnswer(robot.chain.home), inputs),
         solution=pose_at,
         advice={

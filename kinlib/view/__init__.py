@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinlib.view.drawing.picture import Gallery, Picture
 from kinlib.view.drawing.plot import plot
-from kinlib.view.figures.arm import draw_arm, draw_joints, draw_lettered_chain
+from kinlib.view.figures.arm import draw_arm, draw_joints
 from kinlib.view.figures.axis_relations import draw_axis_relation, draw_axis_relations
 from kinlib.view.figures.frames import draw_frames
 from kinlib.view.figures.linkage import draw_linkage
@@ -40,7 +40,6 @@ __all__ = [
     "draw_axis_relations",
     "draw_frames",
     "draw_joints",
-    "draw_lettered_chain",
     "draw_linkage",
     "draw_point_velocity",
     "drive",

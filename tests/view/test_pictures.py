@@ -7,10 +7,8 @@ from urdf_files import TWO_FINGERS
 import kinlib as kl
 from kincourse.dimensions import DrawnAxis, draw_dimensions
 from kinlib import view
-from kinlib.view.figures.arm import draw_lettered_chain
 from kinlib.view.figures.dh_table import draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
-from kinlib.view.figures.tree import draw_tree
 
 PUMA, YOUBOT, RPPR = kl.robots.puma560(), kl.robots.youbot(), kl.robots.rppr()
 ASSIGNED = kl.assign_frames(PUMA, convention="standard")
@@ -36,7 +34,7 @@ MACHINE_MARKS = {"A": MACHINE[2], "B": MACHINE[3], "T": MACHINE[4]}
 
 def lettered(chain):
     steps = np.diff([(0, 0, 0), *chain.joint_points, chain.home[:3, 3]], axis=0)
-    return draw_lettered_chain(chain, [f"L_{i}" * bool(step.any()) for i, step in enumerate(steps)])
+    return view.draw_joints(chain, letters=[f"L_{i}" * bool(step.any()) for i, step in enumerate(steps)])
 
 
 def at_stop(player, stop):
@@ -68,7 +66,7 @@ PICTURES = {
     "four-bar": lambda: view.draw_linkage(FOUR_BAR, [1, 0.3, 2, 0], ghost=CLOSED[1]),
     "open slider-crank": lambda: view.draw_linkage(SLIDER, [0.5, 0.2, 3, 0]),
     "hexapod": lambda: view.draw_linkage(kl.linkages.stewart_gough(), np.zeros(36)),
-    "gripper": lambda: draw_tree(HAND, [0.1, 0.02]),
+    "gripper": lambda: view.draw_arm(HAND, [0.1, 0.02]),
     "machine": lambda: draw_dimensions(MACHINE, MACHINE_AXES, MACHINE_MARKS, arrows={"x1": ((0.5, 0, 0.6), X)}),
 }
 

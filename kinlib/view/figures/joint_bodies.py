@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import perpendicular
+from kinlib.rigid.lie import inverse, perpendicular
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK, JOINT_FILL
 
@@ -54,6 +54,12 @@ def stations(chain: Chain, q: ArrayLike | None = None) -> Array:
     if q is None:
         return np.array([np.zeros(3), *chain.joint_points, chain.home[:3, 3]])
     return np.array([np.zeros(3), *chain.link_poses(q)[:, :3, 3], chain.fk(q)[:3, 3]])
+
+
+def body_motions(chain: Chain, q: ArrayLike) -> Array:
+    """Return the motion of each body from home to q, (n + 1, 4, 4): body 0 is the base, body i is what joint i moves."""
+    moved = chain.link_poses(q) @ inverse(chain.link_poses(np.zeros(chain.n)))
+    return np.concatenate([np.eye(4)[None], moved])
 
 
 def arm_size(*arms: Chain) -> float:

@@ -14,11 +14,10 @@ from kinlib.dh.assignment import assign_frames
 from kinlib.rigid.lie import homogeneous, inverse
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.canvas import VIEWS, axes_of_view
-from kinlib.view.figures.arm import body_motions
 from kinlib.view.figures.bodies import solid_data
-from kinlib.view.figures.joint_bodies import are_near, arm_size, axial_offsets, carried_axes, stations
+from kinlib.view.figures.branches import Branch, branches, joint_share, robot_body
+from kinlib.view.figures.joint_bodies import are_near, arm_size, axial_offsets, body_motions, carried_axes, stations
 from kinlib.view.figures.parts import ranks
-from kinlib.view.figures.tree import Branch, branches, joint_share, robot_body
 
 MIN_SIZE_IN_ROOM_RADII = 0.95
 """Joints, frames and arrows are drawn as for an arm of at least this size, relative to the radius of what is in view."""

@@ -18,11 +18,15 @@ from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.picture import Picture, page, save
-from kinlib.view.figures.arm import ARM_LAYERS, body_motions, draw_arm
-from kinlib.view.figures.tree import MAX_NAMED_TIPS, branches, draw_tree, joint_share
+from kinlib.view.figures.arm import ARM_LAYERS, draw_arm
+from kinlib.view.figures.branches import branches, joint_share
+from kinlib.view.figures.joint_bodies import body_motions
 from kinlib.view.viewer.meshes import Packages, read_meshes
 from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, scene
 from kinlib.view.viewer.widget import STATIC, Covered
+
+MAX_NAMED_TIPS = 8
+"""A tree with more tips opens without their frames, which would hide it."""
 
 
 class ViewerBase(Covered):
@@ -147,16 +151,12 @@ class Viewer(ViewerBase):
 
     def picture(self) -> Picture:
         """Draw the robot with the layers that are shown."""
-        if isinstance(self.robot, Tree):
-            return draw_tree(self.robot, self.q)
-        drawn = [name for name in self.shown if name in ARM_LAYERS]
-        return draw_arm(self.robot, self.q, show=drawn, frames=self._frames(self.robot))
-
-    def _frames(self, arm: Chain) -> dict[str, Array]:
-        """Return the poses at q of those frames given to `explore` that are switched on."""
-        moved, layers = body_motions(arm, np.array(self.q)), self.scene["arms"][0]["frames"]
-        single = [layers[layer][0] for layer in self.own_frames() if layer in self.shown]
-        return {frame["name"]: moved[frame["body"]] @ np.reshape(frame["pose"], (4, 4)) for frame in single}
+        drawn, frames = [name for name in self.shown if name in ARM_LAYERS], {}
+        if isinstance(self.robot, Chain):
+            moved, layers = body_motions(self.robot, np.array(self.q)), self.scene["arms"][0]["frames"]
+            single = [layers[layer][0] for layer in self.own_frames() if layer in self.shown]
+            frames = {frame["name"]: moved[frame["body"]] @ np.reshape(frame["pose"], (4, 4)) for frame in single}
+        return draw_arm(self.robot, self.q, show=drawn, frames=frames)
 
 
 def opening(robot: Chain | Tree) -> Array:

@@ -9,7 +9,7 @@ from strategies import ROBOTS
 import kinlib as kl
 from kincourse.sampling.arms import ArmSampler
 from kincourse.sampling.lettered_arms import draw_lettered_arm
-from kinlib.view import draw_arm, draw_joints, draw_lettered_chain, explore
+from kinlib.view import draw_arm, draw_joints, explore
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 
@@ -83,7 +83,7 @@ def test_what_is_drawn_in_grey_is_said():
 @pytest.mark.parametrize("student", ["ada", "bob"])
 def test_an_arm_with_letters_can_be_rebuilt_from_its_text_alone(student):
     robot = draw_lettered_arm(ArmSampler(student, "03.9"))
-    alt = draw_lettered_chain(robot.chain, robot.letters).alt
+    alt = draw_joints(robot.chain, letters=robot.letters).alt
     for pattern, true in (
         (r"L_\d along (-?[xyz])", robot.links),
         (r"axis along (-?[xyz])", robot.axes),

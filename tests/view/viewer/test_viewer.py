@@ -12,7 +12,7 @@ from urdf_files import trees
 import kinlib as kl
 from kinlib.dh.table import table_frames
 from kinlib.view import explore
-from kinlib.view.figures.tree import branches
+from kinlib.view.figures.branches import branches
 from kinlib.view.viewer.scene import half_height
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)

@@ -1,5 +1,5 @@
-// Text alternatives, computed from what is drawn. describeArm, describeTree and describeLinkage say what describe_arm,
-// describe_tree and describe_linkage say in kinlib/view.
+// Text alternatives, computed from what is drawn. describeArm and describeTree say what describe_arm says,
+// and describeLinkage what describe_linkage says in kinlib/view.
 import { Vector3 } from 'three';
 
 const JOINT_KINDS = { R: 'revolute', P: 'prismatic', H: 'helical' };

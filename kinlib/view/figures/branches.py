@@ -1,4 +1,4 @@
-"""The branches of a robot, from the root to each tip, and drawings of a robot that has several of them.
+"""The branches of a robot, from the root to each tip, and the body of all of them.
 
 An arm has one branch. In a tree, joints that an earlier branch has too are drawn with that one only.
 """
@@ -9,22 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kinlib.arrays.validation import Array, JointValues
+from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint, inverse
 from kinlib.urdf.links_and_joints import UrdfJoint
 from kinlib.urdf.robot_tree import Tree
 from kinlib.urdf.xml_elements import Element
-from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import INK
-from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.figures.arm import body_motions, configuration_text, joint_texts
 from kinlib.view.figures.bodies import Body, body_of, visual_solids
-from kinlib.view.figures.body_drawing import draw_body
-from kinlib.view.figures.joint_bodies import NUMBER_OFFSETS, carried_axes, stations
-
-MAX_NAMED_TIPS = 8
-"""A tree with more tips is drawn without their frames, which would hide it."""
+from kinlib.view.figures.joint_bodies import body_motions, stations
 
 LARGE_JOINTS = 12
 """If a robot has more joints than this, they are drawn smaller."""
@@ -143,45 +135,3 @@ def robot_body(found: Sequence[Branch]) -> tuple[Body, list[list[bool]]]:
 def joint_share(found: Sequence[Branch]) -> float:
     """Return how large joints are drawn, as a share of their usual size."""
     return min(1.0, LARGE_JOINTS / sum(branch.chain.n - branch.shared for branch in found))
-
-
-def draw_tree(tree: Tree, q: JointValues | None = None) -> Picture:
-    """Draw a tree at q (n,): links, joints with the number of their value in q, axes, and the frames of root and tips.
-
-    Raises ValueError if q has another size, and if no joint moves by one value.
-    """
-    values = np.zeros(tree.n) if q is None else tree.in_order(q)
-    found = branches(tree)
-    body, _ = robot_body(found)
-    moved = np.concatenate([branch.motions(values) for branch in found])
-    seen = np.concatenate([*(branch.stations(values) for branch in found), body.extent(moved)])
-    canvas = Canvas(seen, sizes=np.concatenate([stations(branch.chain) for branch in found]))
-    canvas.floor(seen, height=body.lowest)
-    canvas.size *= joint_share(found)
-    draw_body(canvas, body, moved)
-    for branch in found:
-        frames = branch.chain.link_poses(branch.values(values))
-        shown = zip(branch.columns, carried_axes(branch.chain, frames), frames[:, :3, 3], strict=True)
-        for column, axis, point in list(shown)[branch.shared :]:
-            canvas.axis(point - 0.1 * canvas.size * axis, point + 0.2 * canvas.size * axis)
-            canvas.label(point, str(column + 1), INK, NUMBER_OFFSETS, 11)
-        if len(found) <= MAX_NAMED_TIPS:
-            canvas.triad(branch.chain.fk(branch.values(values)), branch.tip, 0.1 * canvas.size)
-    canvas.triad(np.eye(4), "s", 0.15 * canvas.size)
-    return canvas.picture(describe_tree(tree, values), cropped=True)
-
-
-def describe_tree(tree: Tree, q: ArrayLike) -> str:
-    """Return the text alternative of a drawing of a tree: each joint with its axis, and the end of each branch, at q (n,).
-
-    js/scene/describe.js says the same of the tree in the viewer.
-    """
-    found = branches(tree)
-    count = f"{len(found)} branch{'es'[: 2 * (len(found) != 1)]}"
-    sentences = [f"{tree.name}, {tree.n} independent joint{'s'[: tree.n != 1]}, {count}, {configuration_text(q)}."]
-    for branch in found:
-        told = zip(branch.columns, branch.names, joint_texts(branch.chain, branch.values(q)), strict=True)
-        parts = [f"joint {column + 1} {name} {text}" for column, name, text in told][branch.shared :]
-        end = vector_text(branch.chain.fk(branch.values(q))[:3, 3])
-        sentences.append(f"To {branch.tip}: {'; '.join([*parts, f'its end is at {end} m'])}.")
-    return " ".join(sentences)
