@@ -163,6 +163,12 @@ class Canvas:
         if len(pixels) > 2:
             self._marks.append((level, svg.polygon(pixels, colour, edge, width)))
 
+    def gradient(self, start: Array, end: Array, colours: Sequence[str]) -> str:
+        """Return the colour of a shape that changes evenly from one place to another, both in pixels."""
+        name, mark = svg.gradient(start, end, colours)
+        self._marks.append((0.0, mark))
+        return f"url(#{name})"
+
     def cover(self, hulls: Sequence[Array]) -> None:
         """Keep labels off polygons that are given in pixels."""
         self._bodies += [np.array([hull.min(axis=0), hull.max(axis=0)]) for hull in hulls]

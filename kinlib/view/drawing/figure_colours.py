@@ -39,7 +39,7 @@ LIGHT = np.array([-0.42, 0.78, 0.52]) / np.linalg.norm([-0.42, 0.78, 0.52])
 LEVELS = 9
 """The number of shades of a colour."""
 
-BODY_COLOURS = ("body", "metal", "grip", "dark", "blue", "white", "slate", "cream", "steel", "orange", "black")
+BODY_COLOURS = ("body", "metal", "grip", "dark", "blue", "white", "slate", "cream", "steel", "orange", "black", "joint")
 
 
 @cache
@@ -68,7 +68,7 @@ def lit(colour: str, n: Array) -> str:
 DARK_COLOURS = {**SHADES, "#000000": LIGHT_AND_DARK["ink"][1], **dict(LIGHT_AND_DARK.values())}
 """The colour on a dark page for each colour on white paper; for other colours it is computed."""
 
-COLOUR = re.compile(r'(fill|stroke)(="|: )(#[0-9a-fA-F]{6}|white|black)')
+COLOUR = re.compile(r'(fill|stroke|stop-color)(="|: )(#[0-9a-fA-F]{6}|white|black)')
 
 THEME_CSS = (
     ".kinlib-figure img{color-scheme:light}"

@@ -7,6 +7,7 @@ slider can draw a new one at every step; a plotting library takes fifty times as
 import html
 import re
 from collections.abc import Sequence
+from zlib import crc32
 
 from kinlib.arrays.validation import Array
 
@@ -41,6 +42,16 @@ def polygon(points: Array, colour: str, edge: str = "none", width: float = 1.0) 
 def circle(centre: Array, radius: float, colour: str, edge: str = "none") -> str:
     """Return a filled circle."""
     return f'<circle cx="{centre[0]:.1f}" cy="{centre[1]:.1f}" r="{radius:g}" fill="{colour}" stroke="{edge}" stroke-width="1.3"/>'
+
+
+def gradient(start: Array, end: Array, colours: Sequence[str]) -> tuple[str, str]:
+    """Return a gradient from one place to another, and its name, which is the same only for the same gradient."""
+    (x1, y1), (x2, y2) = start, end
+    place = f'gradientUnits="userSpaceOnUse" x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}"'
+    last = len(colours) - 1
+    stops = "".join(f'<stop offset="{k / last:.2g}" stop-color="{colour}"/>' for k, colour in enumerate(colours))
+    name = f"g{crc32((place + stops).encode()):x}"
+    return name, f'<linearGradient id="{name}" {place}>{stops}</linearGradient>'
 
 
 def text(centre: Sequence[float] | Array, label: str, colour: str, size: float) -> str:

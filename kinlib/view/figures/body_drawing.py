@@ -1,4 +1,4 @@
-"""Bodies as SVG: the silhouette of each primitive with bands of shade, the farther ones first.
+"""Bodies as SVG: the silhouette of each primitive, shaded by a gradient, the farther ones first.
 
 All primitives are convex from here, so a silhouette is the hull of points on the surface. What is nearer is decided where two of
 them overlap, on a coarse raster. The parts of a link that have its colour form one casting: their outlines come before their fills.
@@ -13,8 +13,8 @@ from kinlib.view.drawing.canvas import Canvas, convex_hull
 from kinlib.view.drawing.figure_colours import LIGHT_AND_DARK, lit
 from kinlib.view.figures.bodies import EDGE_SHARE, Body, Primitive, circle, rim_points
 
-BANDS = 6
-"""The number of bands across a drum or a tube, if there is room for them."""
+SHADES_ACROSS = np.linspace(-1, 1, 7)
+"""Where the gradient across a drum or a tube has its colours, from one side to the other."""
 
 CELL_PX = 5.0
 """The raster on which it is decided what is nearer."""
@@ -34,11 +34,8 @@ def draw_body(canvas: Canvas, body: Body, moved: Array) -> None:
         for piece in _pieces(solid)
     ]
     largest = max(float(piece.sizes.max()) for _, piece in placed)
-    hulls = []
+    hulls = [_silhouette(canvas, piece) for _, piece in placed]
     for _, piece in placed:
-        radius = float(piece.sizes.max()) * canvas.pixels_per_metre
-        count = int(np.clip(3.6 * np.sqrt(radius), 8, 28))  # a chord is a quarter of a pixel off its arc
-        hulls.append(convex_hull(canvas.to_pixels(rim_points(piece, canvas.eye, count))))
         if piece.colour != "dark" and piece.sizes.max() > 0.3 * largest:
             fallen = rim_points(piece, np.eye(3)[2], 8) * (1, 1, 0) + (0, 0, body.lowest)
             canvas.shape(convex_hull(canvas.to_pixels(fallen)), SHADOW, level=0.5)
@@ -51,6 +48,20 @@ def draw_body(canvas: Canvas, body: Body, moved: Array) -> None:
         for k in run:
             _fill(canvas, placed[k][1], hulls[k], level + step / 2)
     canvas.cover(hulls)
+
+
+def draw_solid(canvas: Canvas, solid: Primitive, level: float) -> None:
+    """Draw one drum or box by itself."""
+    hull = _silhouette(canvas, solid)
+    canvas.shape(hull, OUTLINE, edge=OUTLINE, width=1.8, level=level)
+    _fill(canvas, solid, hull, level)
+    canvas.cover([hull])
+
+
+def _silhouette(canvas: Canvas, solid: Primitive) -> Array:
+    radius = float(solid.sizes.max()) * canvas.pixels_per_metre
+    count = int(np.clip(3.6 * np.sqrt(radius), 8, 28))  # a chord is a quarter of a pixel off its arc
+    return convex_hull(canvas.to_pixels(rim_points(solid, canvas.eye, count)))
 
 
 def _pieces(solid: Primitive) -> list[Primitive]:
@@ -118,7 +129,7 @@ def _sorted(ids: Sequence[int], nearer: Array) -> list[int]:
 
 
 def _fill(canvas: Canvas, solid: Primitive, hull: Array, level: float) -> None:
-    """Fill a silhouette: the faces of a box, bands along a drum or a tube, and the end of a drum that is seen."""
+    """Fill a silhouette: the faces of a box, a gradient across a drum or a tube, and the end of a drum that is seen."""
     view = np.array([*canvas.sheet_axes, canvas.eye])
     if solid.kind == "box":
         for k in range(3):
@@ -134,34 +145,11 @@ def _fill(canvas: Canvas, solid: Primitive, hull: Array, level: float) -> None:
     flat = float(np.hypot(d[0], d[1]))
     across = np.array([-d[1], d[0], 0]) / flat if flat > 0.05 else np.array([1.0, 0, 0])
     out = np.array([-d[2] * across[1], d[2] * across[0], flat])  # perpendicular to the axis, towards the viewer
-    off = (hull - canvas.to_pixels(solid.points).mean(axis=0)) @ (across[:2] * (1, -1))
-    half = max(float(np.abs(off).max()), 1e-9)
-    count = int(np.clip(half / 3, 2, BANDS))
-    middles = (2 * np.arange(count) + 1) / count - 1
-    colours = [lit(solid.colour, across * s + out * np.sqrt(1 - s * s)) for s in middles]
-    for k, colour in enumerate(colours):
-        low = (2 * k / count - 1) * half
-        if k:  # what is left is drawn over the bands before, so that no gap shows
-            hull, above = _cut(hull, off - low)
-            off = above + low
-        if not k or colour != colours[k - 1]:
-            canvas.shape(hull, colour, level=level)
+    way, middle = across[:2] * (1, -1), canvas.to_pixels(solid.points).mean(axis=0)
+    half = float(np.abs((hull - middle) @ way).max())
+    colours = [lit(solid.colour, across * s + out * np.sqrt(1 - s * s)) for s in SHADES_ACROSS]
+    canvas.shape(hull, canvas.gradient(middle - half * way, middle + half * way, colours), level=level)
     if solid.kind == "drum" and abs(d[2]) > 0.06:
         end = solid.points[1] if d[2] > 0 else solid.points[0]
         rim = canvas.to_pixels(end + (1 - EDGE_SHARE / 2) * solid.sizes[0] * circle(z, 12 if half < 12 else 24))
         canvas.shape(rim, lit(solid.colour, np.sign(d[2]) * d), level=level)
-
-
-def _cut(hull: Array, off: Array) -> tuple[Array, Array]:
-    """Return the part of a convex polygon where off is positive, and off at its corners."""
-    kept: list[Array] = []
-    values: list[float] = []
-    for k in range(len(hull)):
-        here, there = off[k - 1], off[k]
-        if (here > 0) != (there > 0):
-            kept.append(hull[k - 1] + here / (here - there) * (hull[k] - hull[k - 1]))
-            values.append(0.0)
-        if there > 0:
-            kept.append(hull[k])
-            values.append(float(there))
-    return np.array(kept).reshape(-1, 2), np.array(values)

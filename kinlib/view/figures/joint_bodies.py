@@ -1,6 +1,4 @@
-"""Drawings of joints: a cylinder for a revolute joint, a box for a prismatic one, a threaded cylinder for a helical one."""
-
-from itertools import pairwise
+"""Drawings of joints: a cylinder for a revolute joint, a box for a prismatic one, a cylinder with rings for a helical one."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -9,7 +7,9 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import inverse, perpendicular
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import INK, JOINT_FILL
+from kinlib.view.drawing.figure_colours import INK
+from kinlib.view.figures.bodies import drum, slab
+from kinlib.view.figures.body_drawing import draw_solid
 
 JOINT_RADIUS = 0.035
 """The radius of a joint, as a share of the size of what is shown."""
@@ -35,18 +35,15 @@ def draw_joint_bodies(canvas: Canvas, chain: Chain, frames: Array) -> None:
 
 def draw_joint_body(canvas: Canvas, letter: str, z: Array, centre: Array) -> None:
     """Draw one joint R, P or H with its axis along z, (3,)."""
-    radius = JOINT_RADIUS * canvas.size
-    half = 1.5 * radius * z
+    r = JOINT_RADIUS * canvas.size
     level = 3.0 + 0.01 * float(canvas.eye @ centre) / canvas.size  # a nearer joint hides a farther one
-    rim = centre + around(z, radius, np.linspace(0, 2 * np.pi, (4 if letter == "P" else 24) + 1) + np.pi / 4)
-    canvas.body(np.concatenate([rim - half, rim + half]), JOINT_FILL, level)
-    canvas.line(rim + (half if canvas.eye @ z > 0 else -half), INK, 1.0, level=level + 1e-5)
+    solids = [slab(z, centre, 0.8 * r, -1.5 * r, 1.5 * r, colour="joint")]
+    if letter != "P":
+        solids = [drum(z, centre, r, -1.5 * r, 1.5 * r, colour="joint")]
     if letter == "H":
-        thread = around(z, radius, np.linspace(0, 6 * np.pi, 60))
-        climb = np.linspace(-1, 1, 60)[:, None] * half
-        for (here, there), (low, high) in zip(pairwise(thread), pairwise(climb), strict=True):
-            if canvas.eye @ (here + there) > 0:  # the far side of the thread is hidden
-                canvas.line([centre + here + low, centre + there + high], INK, 1.3, level=level + 2e-5)
+        solids += [drum(z, centre, 1.15 * r, (k - 0.15) * r, (k + 0.15) * r, colour="joint") for k in (-0.9, 0, 0.9)]
+    for k, solid in enumerate(solids):
+        draw_solid(canvas, solid, level + 1e-4 * k)
 
 
 def stations(chain: Chain, q: ArrayLike | None = None) -> Array:

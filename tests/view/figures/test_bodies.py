@@ -70,7 +70,7 @@ def test_any_arm_is_drawn_as_a_machine(chain):
     assert all(body.links)
     svg = draw_arm(chain, body.pose).svg
     assert "nan" not in svg
-    assert set(re.findall(r'fill="(#[0-9a-f]{6})"', svg)) & set(SHADES)
+    assert set(re.findall(r'(?:fill|stop-color)="(#[0-9a-f]{6})"', svg)) & set(SHADES)
 
 
 SHOWN = """<robot name="crane">
