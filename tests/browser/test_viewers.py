@@ -30,6 +30,7 @@ DEGREE = np.pi / 180
 YOUBOT, RPR, HRR, PUMA = kl.robots.youbot(), kl.robots.rpr(), kl.robots.hrr(), kl.robots.puma560()
 LIMITED = kl.Chain(RPR.screws, RPR.home, limits=[(-1, 1), (-np.inf, np.inf), (0, np.inf)])
 LINKAGE = four_bar(0.4, 0.1, 0.35, 0.3)
+MODES = LINKAGE.assembly_modes(hold={"A": 1.0})
 ARM = open_sheet("07_frame_assignment", "ada").problem(2).shown["arm"]
 RIGHT = kl.assign_frames(ARM, convention="standard").frames
 UNPLACED = np.array([[[None] * 4] * 3 + [[0, 0, 0, 1]]] * len(RIGHT))
@@ -63,7 +64,9 @@ VIEWERS = {
     "helical": lambda: explore(HRR),
     "prismatic": lambda: explore(LIMITED, start=[0.1, 0.2, 0.3]),
     "tree": lambda: explore(kl.Tree.from_urdf(TWO_FINGERS)),
-    "linkage": lambda: drive(LINKAGE, LINKAGE.assembly_modes(hold={"A": 1.0})[0], across=("A", "D")),
+    "linkage": lambda: drive(
+        LINKAGE, MODES[0], across=("A", "D"), curves=[LINKAGE.trace(q, points=240).q for q in MODES]
+    ),
     "frames on links": lambda: explore(RPR, frames={"2": RPR.home}),
     "moving frames": lambda: slide_frames(frames_at, "angle", [0, 30, 60]),
     "assignment": lambda: play_assignment(YOUBOT, convention="standard"),
@@ -446,7 +449,7 @@ def test_the_slider_moves_along_its_curve_and_a_click_changes_to_the_other_curve
     viewer.label("place on the curve").focus()
     page.keyboard.press("ArrowRight")
     assert (viewer.get("variant"), viewer.get("at")) == (first, start + 1)
-    viewer.label("Assembly mode").select_option(index=1)
+    viewer.label("Curve").select_option(index=1)
     assert viewer.get("variant") == second
     rocker = [np.mean([stop["q"][2] for stop in variant["stops"]]) for variant in mode["variants"].values()]
     share = 0.95 if rocker[0] < rocker[1] else 0.05  # the height of the first curve on the map, from the top

@@ -1,7 +1,7 @@
 """A closed chain in the viewer: one slider moves along its configuration curve, because all joints move together.
 
-The curve of all configurations that can be reached is traced once by kinlib.mechanisms. An assembly mode that it does not
-reach has its own curve. Beside the picture the configuration space is drawn: two joint values against each other.
+The curve of all configurations that can be reached is traced once by kinlib.mechanisms. Beside the picture the configuration space
+is drawn: two joint values against each other.
 """
 
 from collections.abc import Sequence
@@ -27,9 +27,6 @@ POINTS_PER_CURVE = 240
 ROUND_MS = 4000
 """The time in which Play goes along a curve."""
 
-ON_CURVE_TOL = 0.2
-"""A configuration nearer to a curve than this, in radians and metres, is on it; the points of a curve are closer together."""
-
 VIEW_MARGIN = 0.16
 """The room around what moves, as a share of the size of the linkage."""
 
@@ -50,8 +47,7 @@ def drive(
 
     start   (n,) the first configuration, or a mapping from joint names to values, in which the loops are closed
     across  the names of two joint values, drawn against each other; by default the first two
-    curves  arrays (m, n) of closed configurations; by default the curve through start, and one for each assembly mode with
-            the same first joint value that this curve does not reach
+    curves  arrays (m, n) of closed configurations, such as the traced curve of each assembly mode; by default the one through start
     labels  the name of each curve
     after   a question; the linkage stays covered until a prediction is committed
 
@@ -59,36 +55,36 @@ def drive(
     has no joint value of a given name, or if a curve does not have shape (m, n).
 
     >>> linkage = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
-    >>> shown = drive(linkage, linkage.assembly_modes(hold={"A": 1.0})[0])
+    >>> modes = linkage.assembly_modes(hold={"A": 1.0})
+    >>> shown = drive(linkage, modes[0], curves=[linkage.trace(q, points=240).q for q in modes])
     >>> list(shown.mode["variants"]), len(shown.q)
-    (['assembly mode 1', 'assembly mode 2'], 4)
+    (['curve 1', 'curve 2'], 4)
     """
     validation.instance(mechanism, "mechanism", Mechanism)
     first = validation.single(mechanism.in_order(start, "start"), "start")
     named = list(across or mechanism.names[:2])
     if unknown := [name for name in named if name not in mechanism.names]:
         raise ValueError(f"{mechanism.name} has joint values {', '.join(mechanism.names)}; got {unknown[0]!r}.")
-    if curves is None:
-        traced, closed = zip(*_curves(mechanism, first), strict=True)
-    else:
-        traced = tuple(validation.vectors(curve, "curves", mechanism.n) for curve in curves)
-        closed = tuple(np.allclose(np.exp(1j * curve[0]), np.exp(1j * curve[-1])) for curve in traced)
+    given = [mechanism.trace(first, points=POINTS_PER_CURVE).q] if curves is None else curves
+    traced = [validation.vectors(curve, "curves", mechanism.n) for curve in given]
+    angles = _angles(mechanism)
+    gaps = [np.where(angles, wrap_angle(curve[-1] - curve[0]), curve[-1] - curve[0]) for curve in traced]
     which = int(np.argmin([np.linalg.norm(curve - first, axis=1).min() for curve in traced]))
     at = int(np.argmin(np.linalg.norm(traced[which] - first, axis=1)))
-    variants = list(labels) or [f"assembly mode {k + 1}" for k in range(len(traced))]
+    variants = list(labels) or [f"curve {k + 1}" for k in range(len(traced))]
     mode = {
         "variants": {
-            name: {"stops": [{"q": q} for q in curve.tolist()], "closed": bool(is_closed)}
-            for name, curve, is_closed in zip(variants, traced, closed, strict=True)
+            name: {"stops": [{"q": q} for q in curve.tolist()], "closed": bool(np.allclose(gap, 0))}
+            for name, curve, gap in zip(variants, traced, gaps, strict=True)
         },
         "name": "configuration",
         "label": "place on the curve",
-        "choice": "assembly mode",
+        "choice": "curve",
         "pace": ROUND_MS / POINTS_PER_CURVE,
         "map": {
             "columns": [mechanism.names.index(name) for name in named],
             "all": list(mechanism.names),
-            "angles": _angles(mechanism).tolist(),
+            "angles": angles.tolist(),
         },
     }
     return Steps(
@@ -100,29 +96,6 @@ def drive(
         shown=[] if is_planar(mechanism) else ["axes"],
         after=after,
     )
-
-
-def _curves(mechanism: Mechanism, start: Array) -> list[tuple[Array, bool]]:
-    """Return the curve through a configuration, and those of the other assembly modes with the same first joint value."""
-    curves, angles = [_traced(mechanism, start)], _angles(mechanism)
-    for other in mechanism.assembly_modes(hold={mechanism.names[0]: float(start[0])}):
-        gaps = [np.where(angles, wrap_angle(curve - other), curve - other) for curve, _ in curves]
-        if all(np.linalg.norm(gap, axis=1).min() > ON_CURVE_TOL for gap in gaps):
-            curves.append(_traced(mechanism, other))
-    return curves
-
-
-def _traced(mechanism: Mechanism, start: Array) -> tuple[Array, bool]:
-    """Return a curve and whether it is closed. If its first value makes full revolutions, it is cut where that passes 180 degrees."""
-    curve = mechanism.trace(start, points=POINTS_PER_CURVE)
-    q, angles = curve.q, _angles(mechanism)
-    around = np.round((q[-1] - q[0]) / (2 * np.pi)) * angles * 2 * np.pi
-    if curve.closed and around[0]:
-        q, around = (q, around) if around[0] > 0 else (q[::-1], -around)
-        cut = int(np.argmin(np.abs(wrap_angle(q[:-1, 0] + np.pi))))
-        q = np.concatenate([q[cut:-1], q[: cut + 1] + around])
-    revolutions = 2 * np.pi * np.round((q.min(axis=0) + q.max(axis=0)) / (4 * np.pi))
-    return q - revolutions * angles, curve.closed
 
 
 def _angles(mechanism: Mechanism) -> Array:

@@ -38,7 +38,7 @@ WIDGETS = {
     "frames": (lambda: slide_frames(lambda x: {"s": np.eye(4), "b": kl.exp([0, 0, x, 0, 0, x])}, "x", [0, 1]), "at", 1),
     "steps": (lambda: play_assignment(ARM, convention="standard"), "at", 5),
     "motions": (lambda: play_row([0.8, 0.6, 0.6, 1.4]), "at", 2.0),
-    "linkage": (lambda: drive(LINKAGE, CLOSED[0], curves=[CLOSED[:1], CLOSED[1:]]), "variant", "assembly mode 2"),
+    "linkage": (lambda: drive(LINKAGE, CLOSED[0], curves=[CLOSED[:1], CLOSED[1:]]), "variant", "curve 2"),
     "placed by hand": (lambda: assign(ARM, "standard"), "frames", FRAMES),
     "pictures": (lambda: slide(lambda x: draw_arm(ARM, [x, 0, 0]), "joint 1", [0, 1, 2]), "at", 2),
 }
