@@ -12,7 +12,7 @@ from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, LINK_GREY, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Gallery, Picture, vector_text
 from kinlib.view.figures.arm import direction_text
-from kinlib.view.figures.dh_table import draw_table
+from kinlib.view.figures.frames import draw_table
 from kinlib.view.figures.joint_bodies import draw_joint_body
 from kinlib.view.viewer.pictures import Pictures
 

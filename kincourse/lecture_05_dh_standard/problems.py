@@ -26,7 +26,7 @@ from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import DHTable
 from kinlib.view import draw_joints
-from kinlib.view.figures.dh_table import draw_table
+from kinlib.view.figures.frames import draw_frames, draw_table
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
@@ -70,12 +70,12 @@ def four_numbers(sampler: ArmSampler) -> Problem:
                 sampler.choice((-1, 1)) * RIGHT_ANGLE_RAD,
             ]
         )
-    frames = DHTable([row], convention="standard", base=start, name="Two frames")
+    frames = {"0": start, "1": start @ link(row, "standard").value}
     return Problem(
         statement="Frames 0 and 1 follow the standard convention. Read their row from the drawing: $a_1, \\alpha_1, d_1, \\theta_1$. "
-        "Lengths are whole metres, and angles are multiples of 90°. The $y$ axes are not drawn: they follow from $x$ and $z$.",
+        "Lengths are whole metres, and angles are multiples of 90°.",
         further="Give the row that leads back from frame 1 to frame 0. Is it a standard row?",
-        figure=partial(draw_table, frames, numbers=True, path=False),
+        figure=partial(draw_frames, frames, arrows=False, numbers=True),
         answer=DHRowAnswer(row),
         solution=dh_row(*row),
         advice={"degrees": "Give the angles in radians."},

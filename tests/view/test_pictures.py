@@ -7,8 +7,8 @@ from urdf_files import TWO_FINGERS
 import kinlib as kl
 from kincourse.dimensions import DrawnAxis, draw_dimensions
 from kinlib import view
-from kinlib.view.figures.dh_table import draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
+from kinlib.view.figures.frames import draw_table
 
 PUMA, YOUBOT, RPPR = kl.robots.puma560(), kl.robots.youbot(), kl.robots.rppr()
 ASSIGNED = kl.assign_frames(PUMA, convention="standard")
@@ -55,7 +55,7 @@ PICTURES = {
     "row, motion by motion": lambda: at_stop(view.play_row(ROW), 2).picture(),
     "factors": lambda: at_stop(view.play_walk(WALK), 3).picture(),
     "table": lambda: draw_table(ASSIGNED.table, np.full(6, 0.3), numbers=True),
-    "table with a fixed row": lambda: draw_table(BRACKET, [0.3, 0.4], path=False),
+    "table with a fixed row": lambda: draw_table(BRACKET, [0.3, 0.4]),
     "assignment of one joint": lambda: draw_assignment(kl.assign_frames(TURNTABLE, convention="modified")),
     "assignment, a normal": lambda: draw_assignment(ASSIGNED, 3),
     "assignment, a row": lambda: draw_assignment(ASSIGNED, 24),

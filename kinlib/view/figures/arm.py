@@ -208,11 +208,6 @@ def _draw_axes(canvas: Canvas, branch: Branch, frames: Array, name: str, colour:
             canvas.label(tip, f"${name}_{column + 1}$", colour)
 
 
-def pose_text(T: Array) -> str:
-    """Write where a DH frame is: its origin, and the directions of x and z, from which y follows."""
-    return f"at {vector_text(T[:3, 3])}, x along {vector_text(T[:3, 0])}, z along {vector_text(T[:3, 2])}"
-
-
 def direction_text(axis: Array) -> str:
     """Write a direction as "x", "-z", or by its components."""
     for letter, unit in zip("xyz", np.eye(3), strict=True):

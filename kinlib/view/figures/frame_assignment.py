@@ -11,8 +11,8 @@ from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment
 from kinlib.dh.table import Convention
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.picture import Picture
-from kinlib.view.figures.arm import describe_arm, pose_text
+from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.figures.arm import describe_arm, direction_text
 from kinlib.view.figures.joint_bodies import are_near, arm_size, draw_joint_bodies
 from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part, ranks
 
@@ -33,14 +33,14 @@ MARKED_PARTS = {"origin": "O", "x": "x", "y": "y", "first": "Oxyz", "last": "Oxy
 
 
 def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, caption: str = "") -> Picture:
-    """Draw a frame assignment after the step `until` of its steps, counted from 0: that is strong, what came before is pale.
+    """Draw a frame assignment after the step `until` of its steps, counted from 0: that is strong, what came before is pale; or all.
 
     Joint axes are violet and dashed, common normals orange; a normal of length zero is a short line along its direction.
     y is drawn only while its frame is strong. While a row is read off, its a is a thick orange line and its d a violet one.
 
     >>> print(draw_assignment(kl.assign_frames(kl.robots.youbot(), convention="standard"), 3).alt)    # doctest: +NORMALIZE_WHITESPACE
     youBot, standard convention, step 4 of 25. O_1 lies on axis 2, where the common normal meets it: (0.033, 0, 0.147).
-    Drawn so far: frame 0 at (0, 0, 0), x along (1, 0, 0), z along (0, 0, 1).
+    Drawn so far: frame 0 at (0, 0, 0), x along x, z along z.
     """
     steps, chain = assignment.steps, assignment.chain
     stop = assignment_stop(assignment, len(steps) - 1 if until is None else until)
@@ -53,11 +53,7 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
     draw_parts(
         canvas, [part | {"name": part["name"] * (part.get("width") == 4)} for part in stop["parts"]], canvas.size
     )
-    if until is None:
-        head = f"{chain.name}, {assignment.table.convention} convention, all {len(steps)} steps."
-        return canvas.picture(f"{head} {stop['alt'][stop['alt'].index('Drawn so far') :]}", caption, cropped=True)
-    others = f" Also valid: {steps[until].others}" if steps[until].others else ""
-    return canvas.picture(stop["alt"], caption or f"Step {until + 1} of {len(steps)}. {steps[until].text}{others}")
+    return canvas.picture(stop["alt"], caption, cropped=True)
 
 
 def assignment_stop(assignment: FrameAssignment, k: int, count: int | None = None) -> dict[str, Any]:
@@ -95,7 +91,7 @@ def assignment_stop(assignment: FrameAssignment, k: int, count: int | None = Non
             along = 0 if letter == "O" else T[:3, "xyz".index(letter)]
             marks.append(_mark(T[:3, 3], T[:3, 3] + (0.2 + 0.07 * rank) * size * along))
     axes = f" {describe_arm(chain, np.zeros(n))}" if step.kind == "axes" else ""
-    whole = "; ".join(f"frame {j} {pose_text(frames[j])}" for j in assigned if "y" in assigned[j])
+    whole = "; ".join(f"frame {j} {_place(frames[j])}" for j in assigned if "y" in assigned[j])
     head = f"{chain.name}, {assignment.table.convention} convention, step {k + 1} of {count or len(assignment.steps)}."
     return {
         "title": STEP_TITLES[step.kind].format(i=i, j=None if i is None else i + 1),
@@ -153,6 +149,10 @@ def _assigned(i: int, n: int, done: set[tuple[str, int | None]]) -> str:
     if i in (0, n):
         return "Oxyz" if ("first" if i == 0 else "last", i) in done else ""
     return "".join(sorted("".join(on for kind, on in (("origin", "Oz"), ("x", "x"), ("y", "y")) if (kind, i) in done)))
+
+
+def _place(T: Array) -> str:
+    return f"at {vector_text(T[:3, 3])}, x along {direction_text(T[:3, 0])}, z along {direction_text(T[:3, 2])}"
 
 
 def _mark(start: Array, end: Array) -> Part:

@@ -1,4 +1,4 @@
-"""Lines, frames and names as data: what a stop of a player shows. The page draws them in three dimensions, and this module as SVG.
+"""Lines and frames as data: what a stop of a player shows. The page draws them in three dimensions, and this module as SVG.
 
 A part names its colour as colours.json does. What the current stop is not about is pale.
 """
@@ -11,16 +11,13 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays.validation import Array
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import GREY, INK, LIGHT_AND_DARK
+from kinlib.view.drawing.figure_colours import LIGHT_AND_DARK
 from kinlib.view.drawing.picture import Picture
 
 Part = dict[str, Any]
 
 WIDTHS_PX = (0.0, 1.3, 1.9, 3.2, 4.5)
 """The width of a line in a drawing, by its number; js/scene/solids.js has the radii."""
-
-TURN_RADIUS = 0.21
-"""The radius of the arc of an angle, as a share of the size of the scene."""
 
 PALE_SHARE = 0.55
 """How much of its colour is left of a part that is pale."""
@@ -78,10 +75,6 @@ def draw_parts(canvas: Canvas, parts: Iterable[Part], size: float) -> None:
             _draw_line(canvas, part)
         elif part["kind"] == "frame":
             _draw_frame(canvas, part, size)
-        elif part["kind"] == "turn":
-            _draw_turn(canvas, part, size)
-        else:
-            canvas.label(part["at"], part["text"], offsets=[(36, -44), (36, -54), (0, -44), (-36, -44)])
 
 
 def draw_parts_about(points: Array, parts: Iterable[Part], size: float, alt: str, caption: str = "") -> Picture:
@@ -128,24 +121,6 @@ def _draw_frame(canvas: Canvas, part: Part, size: float) -> None:
         canvas.dot(T[:3, 3], _ink("ink", strong), 6 if strong else 4, level=6)
     if part["name"]:
         canvas.label(T[:3, 3], f"{{{part['name']}}}")
-
-
-def _draw_turn(canvas: Canvas, part: Part, size: float) -> None:
-    """Draw an angle as an arc between two dotted radii, or the line of a screw motion as a helix."""
-    T, rise = np.reshape(part["pose"], (4, 4)), part["rise"]
-    x, y, z = T[:3, :3].T
-    first, second, up = (x, y, z) if part["axis"] == "z" else (z, -y, x)
-    angles = np.linspace(0, part["angle"], 24)[:, None]
-    centres = T[:3, 3] + rise * angles / part["angle"] * up
-    ways = TURN_RADIUS * size * (np.cos(angles) * first + np.sin(angles) * second)
-    for k in () if rise else (0, -1):
-        canvas.line([centres[k], (centres + 1.25 * ways)[k]], GREY, 1.2, ":", level=2.5)
-    points = centres + ways
-    canvas.line(points[:-1], INK, 1.6, level=3)
-    canvas.arrow(points[-2], points[-1], INK, 1.6, level=3)
-    if part["name"]:
-        places = [(0, 0), (6, 4), (-6, -4), (0, 14), (14, 10), (0, -14), (-14, -10)]
-        canvas.label((centres + 1.22 * ways)[12], f"$\\{part['name']}$", INK, places, 13)
 
 
 def _ink(name: str, strong: bool) -> str:

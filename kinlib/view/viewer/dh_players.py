@@ -16,7 +16,6 @@ from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.table import Convention, DHTable, format_rows, validate_convention
 from kinlib.rigid.lie import adjoint, exp
-from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import frame_text
 from kinlib.view.figures.frame_assignment import assignment_stop, axis_ends, draw_assignment, visible_features
@@ -175,7 +174,7 @@ def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = 
         variants[name] = {"stops": [assignment_stop(one, k, count) for k in range(count)], "table": table}
 
     def draw(player: Steps) -> Picture:
-        return crop([draw_assignment(assignments[player.variant], int(player.at))])[0]
+        return draw_assignment(assignments[player.variant], int(player.at))
 
     scene = bare_scene(chain, np.concatenate(points))
     mode = {"variants": variants, "name": "step", "choice": "convention"}
@@ -212,7 +211,7 @@ def _player(tracks: Mapping[str, Track], after: Any) -> Steps:
 
     def draw(player: Steps) -> Picture:
         stop, k = player.stop, player.stops.index(player.stop)
-        done = [part for passed in player.stops[:k] for part in (*passed["ways"], *passed["turns"])]
+        done = [part for passed in player.stops[:k] for part in passed["ways"]]
         moving = [] if stop["reached"] else [frame_part(np.reshape(stop["pose"], (4, 4)), "Oxyz", length=FRAME_LENGTH)]
         parts = [*variants[player.variant]["still"], *done, *stop["parts"], *moving]
         return draw_parts_about(shown, parts, size, player.alt)
