@@ -35,15 +35,6 @@ MARGIN_SHARE = 0.33
 BORDER_PX = 20.0
 """Border in pixels for the labels at the tips of arrows."""
 
-HEIGHT_LABEL_OFFSETS = [(20, 0), (-20, 0), (20, 12), (-20, -12), (20, 26), (-20, 26), (20, -26), (-20, -26)]
-FOOT_LABEL_OFFSETS = [
-    *((0, -14), (38, -6), (-38, -6), (0, 14), (0, -28)),
-    *((46, -18), (-46, -18), (46, 10), (-46, 10), (0, 28), (0, -42), (60, -30), (-60, -30)),
-    *((22, -20), (-22, -20), (22, 16), (-22, 16), (38, 6), (-38, 6), (30, -34), (-30, -34)),
-    *((80, 0), (-80, 0), (80, -44), (-80, -44), (0, 44), (0, -58), (60, 30), (-60, 30)),
-]
-"""Where the labels of heights, and of points on the floor, may be placed: offsets in pixels to the right and up."""
-
 
 def view_axes(view: str) -> tuple[Array, Array]:
     """Return the unit vector towards the viewer, (3,), and those that point right and up on the sheet, (2, 3).
@@ -197,13 +188,13 @@ class Canvas:
             self.line([foot, point], colour, 1.5, ":", level=1)
             self.dot(foot, colour, 5, level=6)
             if point[2]:
-                self.label((foot + point) / 2, f"{point[2]:.4g}", colour, HEIGHT_LABEL_OFFSETS, 9)
+                self.label((foot + point) / 2, f"{point[2]:.4g}", colour, size=9)
             # first those offsets at which a label is nearer to its own foot than to any other one
             steps = self.to_pixels(places * (1, 1, 0)) - self.to_pixels(foot)
-            others, ways = steps[np.abs(steps).max(axis=-1) > 1], np.array(FOOT_LABEL_OFFSETS) * (1, -1)
+            others, ways = steps[np.abs(steps).max(axis=-1) > 1], np.array(LABEL_OFFSETS) * (1, -1)
             other = np.linalg.norm(ways[:, None] - others, axis=-1).min(axis=1, initial=np.inf)
             order = np.argsort(np.linalg.norm(ways, axis=-1) >= other, kind="stable")
-            offsets = [FOOT_LABEL_OFFSETS[k] for k in order]
+            offsets = [LABEL_OFFSETS[k] for k in order]
             self.label(foot, f"({foot[0]:.4g}, {foot[1]:.4g})", colour, offsets, 9)
 
     def floor(self, points: ArrayLike, numbers: bool = False, height: float = 0.0) -> None:

@@ -6,7 +6,7 @@ import io
 import os
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from importlib import import_module
 from os import PathLike
 from pathlib import Path
@@ -33,8 +33,6 @@ MIN_ALT_CHARACTERS = 20
 class Picture:
     """A finished drawing as SVG, with a text alternative that says what it shows.
 
-    figure  the matplotlib figure that it was made from, if it is a plot
-
     Raises ValueError if the text alternative is shorter than MIN_ALT_CHARACTERS.
 
     >>> nothing = Picture("<svg></svg>", "A drawing with nothing in it.")
@@ -50,7 +48,6 @@ class Picture:
     svg: str
     alt: str
     caption: str = ""
-    figure: "Figure | None" = field(default=None, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         if len(self.alt) < MIN_ALT_CHARACTERS:
@@ -127,7 +124,7 @@ def picture_from_figure(figure: "Figure", alt: str, caption: str = "") -> Pictur
     # With a fixed salt and no date, the same drawing always gives the same SVG text.
     with rc_context({"svg.hashsalt": "kinlib", "svg.fonttype": "path"}):
         figure.savefig(buffer, format="svg", metadata={"Date": None}, facecolor="white")
-    return Picture(buffer.getvalue(), alt, caption, figure)
+    return Picture(buffer.getvalue(), alt, caption)
 
 
 def is_without_kernel() -> bool:
@@ -180,23 +177,18 @@ def png_bytes(picture: Picture) -> bytes:
     from PIL import Image
     from PIL.PngImagePlugin import PngInfo
 
-    title, written = picture.caption or first_sentence(picture.alt), io.BytesIO()
-    if picture.figure:
-        about = {"Title": title, "Description": picture.alt}
-        picture.figure.savefig(written, dpi=200, metadata=about, facecolor="white", format="png")
-        return written.getvalue()
     try:
         resvg = import_module("resvg_py")
     except ImportError:
         raise ValueError(
-            "A drawing needs the package resvg-py to be saved as .png, which a browser does not have. Save it as .svg."
+            "A picture needs the package resvg-py to be saved as .png, which a browser does not have. Save it as .svg."
         ) from None
     fonts = str(Path(get_data_path(), "fonts", "ttf"))  # the same letters on every system
     pixels = resvg.svg_to_bytes(
         svg_string=picture.svg, zoom=2, skip_system_fonts=True, font_dirs=[fonts], font_family="DejaVu Sans"
     )
-    info = PngInfo()
-    info.add_text("Title", title)
+    info, written = PngInfo(), io.BytesIO()
+    info.add_text("Title", picture.caption or first_sentence(picture.alt))
     info.add_itxt("Description", picture.alt)
     Image.open(io.BytesIO(bytes(pixels))).save(written, "png", pnginfo=info)
     return written.getvalue()

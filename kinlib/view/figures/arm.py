@@ -111,15 +111,15 @@ def draw_joints(chain: Chain, tool: bool = False, letters: Sequence[str] = ()) -
         canvas.measure(measured, ORANGE)
     if tool:
         canvas.line(path, LINK_GREY, 5.0)
+    for start, end, letter in zip(path[:-1], path[1:], letters, strict=False):
+        right, up = canvas.along(start, end)  # across its link, a letter is nearer to it than to any other one
+        places = [(-far * up, far * right) for far in (14, -14, 21, -21, 28, -28)]
+        if letter:
+            canvas.label((start + end) / 2, f"${letter}$", ORANGE, places, size=12)
     draw_joint_bodies(canvas, chain, chain.link_poses(home))
     _draw_axes(canvas, branch, chain.link_poses(home), "S" if letters else "", VIOLET)
     for name, T in [("s", np.eye(4)), *[("b", chain.home)] * tool]:
         canvas.triad(T, name, 0.16 * canvas.size)
-    for start, end, letter in zip(path[:-1], path[1:], letters, strict=False):
-        right, up = canvas.along(start, end)  # across its link, a letter is nearer to it than to any other one
-        places = [(-far * up, far * right) for far in (15, -15, 24, -24)]
-        if letter:
-            canvas.label((start + end) / 2, f"${letter}$", ORANGE, places, size=12)
     if letters:
         return canvas.picture(_describe_lettered(chain, letters, np.diff(path, axis=0)), cropped=True)
     return canvas.picture(describe_arm(chain, home, frames={"b": chain.home} if tool else None), cropped=True)

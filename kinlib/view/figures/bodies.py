@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cache, cached_property, lru_cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -35,7 +36,7 @@ X = np.array([1.0, 0, 0])
 class Primitive(NamedTuple):
     """A solid of a link.
 
-    kind     "drum": a cylinder between two points; "tube": balls joined by cones; "box": half sides along three axes
+    kind     "drum": a cylinder between two points; "tube": two balls joined by a cone; "box": half sides along three axes
     points   (k, 3) the ends of a drum, the balls of a tube, the centre of a box
     sizes    (k,) the radius at each point; (3,) the half sides of a box
     colour   its name in colours.json, or #rrggbb of a file
@@ -180,16 +181,16 @@ def drum(axis: ArrayLike, point: ArrayLike, radius: float, *ends: float, colour:
     return Primitive("drum", np.array([p + low * z, p + high * z]), np.array([radius, radius]), colour)
 
 
-def tube(*balls: Sequence[float], colour: str = "body") -> Primitive:
-    """Return a tapered tube through balls (x, y, z, radius)."""
-    rows = np.array(balls, dtype=float)
-    return Primitive("tube", rows[:, :3], rows[:, 3], colour)
+def tube(*balls: Sequence[float], colour: str = "body") -> list[Primitive]:
+    """Return a tapered tube through balls (x, y, z, radius), from each to the next."""
+    pairs = (np.array(pair, dtype=float) for pair in pairwise(balls))
+    return [Primitive("tube", pair[:, :3], pair[:, 3], colour) for pair in pairs]
 
 
 def ball(centre: ArrayLike, radius: float, colour: str = "body") -> Primitive:
     """Return a ball."""
     up = 1e-4 * radius * np.eye(3)[2]
-    return tube([*(np.asarray(centre) - up), radius], [*(np.asarray(centre) + up), radius], colour=colour)
+    return Primitive("tube", np.array([centre - up, centre + up]), np.array([radius, radius]), colour)
 
 
 def box(centre: ArrayLike, half: ArrayLike, colour: str = "body", axes: Array | None = None) -> Primitive:
@@ -230,7 +231,7 @@ def _solids(row: list[Any]) -> list[Primitive]:
         return [drum(_axis(rest[0]), *rest[1:5], colour=(*rest, "body")[5])]
     if kind == "tube":
         balls = [ball for ball in rest if not isinstance(ball, str)]
-        return [tube(*balls, colour=(*rest, "body")[len(balls)])]
+        return tube(*balls, colour=(*rest, "body")[len(balls)])
     if kind == "box":
         return [box(*rest)]
     point, direction, opening, size = rest
@@ -348,9 +349,9 @@ class _Builder:
             after.append(slab(a, p, 0.56 * half, -0.45 * S, out, colour="metal"))
             if np.linalg.norm(way - (way @ a) * a) > 0.3 * r:
                 after.append(slab(a, p, 0.95 * half, out - 0.1 * S, out + 0.1 * S, colour="blue"))
-                after.append(tube([*(p + out * a), 0.6 * r], [*there, thin]))
+                after += tube([*(p + out * a), 0.6 * r], [*there, thin])
             elif length > out + r:
-                after.append(tube([*(p + out * a), 0.5 * half], [*there, thin]))
+                after += tube([*(p + out * a), 0.5 * half], [*there, thin])
             return
         half = 0.92 * r
         before.append(drum(a, p, r, -half, half))
@@ -359,7 +360,7 @@ class _Builder:
             after.append(drum(u, p, 0.78 * r, 0.86 * r, 1.26 * r, colour="dark"))
         if length > 1.6 * r:
             knees = [(min(1.15 * r, 0.4 * length), 0.68 * r), (min(2.6 * r, 0.6 * length), 0.6 * r), (length, thin)]
-            after.append(tube(*[[*(p + s * u), radius] for s, radius in knees]))
+            after += tube(*[[*(p + s * u), radius] for s, radius in knees])
 
     def _hand(self) -> None:
         n, r = self.chain.n, self.r(self.chain.n)

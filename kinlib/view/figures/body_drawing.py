@@ -30,8 +30,7 @@ def draw_body(canvas: Canvas, body: Body, moved: Array) -> None:
     placed = [
         (link, piece._replace(points=piece.points @ T[:3, :3].T + T[:3, 3], axes=T[:3, :3] @ piece.axes))
         for link, (row, T) in enumerate(zip(body.links, moved, strict=True))
-        for solid in row
-        for piece in _pieces(solid)
+        for piece in row
     ]
     largest = max(float(piece.sizes.max()) for _, piece in placed)
     hulls = [_silhouette(canvas, piece) for _, piece in placed]
@@ -62,14 +61,6 @@ def _silhouette(canvas: Canvas, solid: Primitive) -> Array:
     radius = float(solid.sizes.max()) * canvas.pixels_per_metre
     count = int(np.clip(3.6 * np.sqrt(radius), 8, 28))  # a chord is a quarter of a pixel off its arc
     return convex_hull(canvas.to_pixels(rim_points(solid, canvas.eye, count)))
-
-
-def _pieces(solid: Primitive) -> list[Primitive]:
-    """Return a primitive in convex pieces: a tube from ball to ball."""
-    if solid.kind != "tube":
-        return [solid]
-    pairs = range(len(solid.points) - 1)
-    return [solid._replace(points=solid.points[k : k + 2], sizes=solid.sizes[k : k + 2]) for k in pairs]
 
 
 def _surface(solid: Primitive) -> Array:

@@ -20,9 +20,6 @@ JOINT_SPACING = 3.3 * JOINT_RADIUS
 MAX_DISTANCE_IN_ARM_SIZES = 3.0
 """Frames and normals farther from the arm than this are left out, as those of nearly parallel axes can be."""
 
-NUMBER_OFFSETS = [(18, 13), (-18, 13), (18, -15), (-18, -15), (32, 0), (-32, 0), (0, 28), (0, -30), (34, 22), (-34, 22)]
-"""Where the number of a joint may be placed: offsets in pixels to the right and up."""
-
 
 def draw_joint_bodies(canvas: Canvas, chain: Chain, frames: Array) -> None:
     """Draw the joints of a chain with their numbers, where the frames (n, 4, 4) of its links are."""
@@ -30,7 +27,7 @@ def draw_joint_bodies(canvas: Canvas, chain: Chain, frames: Array) -> None:
     for i, (z, shift) in enumerate(zip(axes, axial_offsets(axes, frames[:, :3, 3]), strict=True)):
         centre = frames[i, :3, 3] + JOINT_SPACING * canvas.size * shift * z
         draw_joint_body(canvas, chain.joint_types[i], z, centre)
-        canvas.label(centre, str(i + 1), INK, NUMBER_OFFSETS, 11)
+        canvas.label(centre, str(i + 1), INK)
 
 
 def draw_joint_body(canvas: Canvas, letter: str, z: Array, centre: Array) -> None:

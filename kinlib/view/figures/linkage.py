@@ -5,7 +5,7 @@ A planar linkage is seen from above, any other in the projection of draw_arm.
 
 from dataclasses import dataclass
 from functools import reduce
-from itertools import pairwise
+from itertools import chain, pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,7 +21,7 @@ from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.drawing.svg import GREEK
 from kinlib.view.figures.bodies import Body, Primitive, ball, drum, slab, tube
 from kinlib.view.figures.body_drawing import draw_body
-from kinlib.view.figures.joint_bodies import JOINT_RADIUS, NUMBER_OFFSETS
+from kinlib.view.figures.joint_bodies import JOINT_RADIUS
 
 GAP_TOL_M = 1e-6
 """If the two halves of a joint are farther apart than this, the gap is drawn."""
@@ -101,12 +101,9 @@ def draw_linkage(
     """
     geometry = linkage_geometry(mechanism, q)
     shade = None if ghost is None else linkage_geometry(mechanism, ghost)
-    planar = is_planar(mechanism)
     drawn = [geometry.all] if shade is None else [geometry.all, shade.all]
     seen = np.reshape(np.concatenate(drawn) if around is None else np.asarray(around, dtype=float), (-1, 3))
-    # No axis or frame extends beyond the joints, so the margin can be smaller, most of all for a planar linkage.
-    middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
-    canvas = Canvas(middle + (0.72 if planar else 0.9) * (seen - middle), "top" if planar else "default")
+    canvas = Canvas(seen, "top" if is_planar(mechanism) else "default")
     body = linkage_body(mechanism, mechanism.in_order(q)[None])
     canvas.floor(seen, height=body.lowest)
     for T, (name, ends) in zip(shade.poses, body_points(mechanism).items(), strict=True) if shade else ():
@@ -118,7 +115,7 @@ def draw_linkage(
             canvas.line([here, there], ORANGE, 2.2, ":", level=3.6)
             canvas.dot(there, ORANGE, 7)
         if names:
-            canvas.label(here, _joint_label(joint.name), INK, NUMBER_OFFSETS, 11)
+            canvas.label(here, _joint_label(joint.name), INK)
     return canvas.picture(describe_linkage(mechanism, geometry, shade), caption, cropped=around is None)
 
 
@@ -187,29 +184,14 @@ def linkage_body(mechanism: Mechanism, configurations: Array) -> Body:
         links[body] += [] if body == ground else _link(ends[body], R)
     places = np.unique(np.round(standing or ends[ground], 9), axis=0)
     low = float(places[:, 2].min()) - (0.1 if planar else 0.06) * size
-    links[ground] += _base(places, low, R, plate=not planar and _span(places) > 1)
+    links[ground] += _base(places, low, R, plate=not planar and len(places) > 2)
     return Body(tuple(tuple(links[body]) for body in mechanism.bodies))
 
 
-def _span(points: Array) -> int:
-    """Return the dimension of what contains points: 0 a point, 1 a line, 2 a plane."""
-    return int(np.linalg.matrix_rank(points - points[0], tol=1e-6 * max(float(np.ptp(points)), 1e-9)))
-
-
 def _link(ends: Array, R: float) -> list[Primitive]:
-    """Return a link: a bar through points on one line, a frame through three, a plate through more in one plane."""
-    corners = np.unique(ends.round(9), axis=0)
-    if len(corners) < 2:
-        return []
-    if _span(corners) == 1:
-        way = corners[-1] - corners[0]
-        order = corners[np.argsort(corners @ way)]
-        return [tube([*order[0], 0.6 * R], [*order[-1], 0.6 * R])]
-    if len(corners) == 3:
-        return [tube([*a, 0.6 * R], [*b, 0.6 * R]) for a, b in pairwise([*corners, corners[0]])]
-    middle = corners.mean(axis=0)
-    normal = np.linalg.svd(corners - middle)[2][2]
-    return [drum(normal, middle, float(np.linalg.norm(corners - middle, axis=1).max()) + 1.2 * R, -0.35 * R, 0.35 * R)]
+    """Return a link: a bar from joint to joint, or a frame through more joints, in their order."""
+    ways = pairwise([*ends, *ends[: len(ends) > 2]])
+    return [solid for a, b in ways if np.linalg.norm(b - a) > 1e-9 for solid in tube([*a, 0.6 * R], [*b, 0.6 * R])]
 
 
 def _base(ground: Array, low: float, R: float, *, plate: bool) -> list[Primitive]:
@@ -221,4 +203,5 @@ def _base(ground: Array, low: float, R: float, *, plate: bool) -> list[Primitive
     whole = [drum(z, middle, wide, 0, 0.5 * R, colour="dark")]
     plates = whole if plate else [drum(z, foot, 1.8 * R, 0, 0.4 * R, colour="dark") for foot in feet]
     columns = zip(feet, ground + 1e-6 * z, strict=True)
-    return plates + [tube([*foot, 0.7 * R], [*top, 0.6 * R], colour="dark") for foot, top in columns]
+    posts = [tube([*foot, 0.7 * R], [*top, 0.6 * R], colour="dark") for foot, top in columns]
+    return [*plates, *chain.from_iterable(posts)]
