@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 from kinlib.view.drawing.picture import Gallery, Picture
 from kinlib.view.drawing.plot import plot
 from kinlib.view.figures.arm import draw_arm, draw_joints
-from kinlib.view.figures.axis_relations import draw_axis_relation, draw_axis_relations
+from kinlib.view.figures.axis_relations import draw_axis_relation
 from kinlib.view.figures.frames import draw_frames
 from kinlib.view.figures.linkage import draw_linkage
 from kinlib.view.figures.point_velocity import draw_point_velocity
@@ -37,7 +37,6 @@ __all__ = [
     "assign",
     "draw_arm",
     "draw_axis_relation",
-    "draw_axis_relations",
     "draw_frames",
     "draw_joints",
     "draw_linkage",

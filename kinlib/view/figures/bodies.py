@@ -291,14 +291,11 @@ class _Builder:
         """Move drums along their axes, and sleeves anywhere, so that joints that share a point are apart: from the tool back."""
         c, n, R = self.centres, self.chain.n, self.radius
         last, z = n - 1, self.tool[:, 2]
-        if not self.slides[last] and abs(self.axes[last] @ z) > 0.9 and _near(c[last], self.tip, 0.6 * R):
-            if last and not self.slides[last - 1] and _near(c[last - 1], self.tip, 0.6 * R):  # a wrist at the tool
-                c[last] = self.tip + 1.75 * self.r(last) * z
-                self.grip_at = c[last] + 1.3 * self.r(last) * z
-            else:
+        if _near(c[last], self.tip, 0.6 * R):
+            if not self.slides[last] and abs(self.axes[last] @ z) > 0.9:
                 c[last] = self.tip - 1.3 * self.r(last) * z
-        elif _near(c[last], self.tip, 0.6 * R):
-            self.grip_at = self.tip + 1.1 * self.r(last) * z
+            else:
+                self.grip_at = self.tip + 1.1 * self.r(last) * z
         for i in range(n - 2, -1, -1):
             a, r, there = self.axes[i], self.r(i), c[i + 1]
             way = there - c[i]
@@ -308,13 +305,8 @@ class _Builder:
                 if across < 0.6 * R and along < self.sleeve / 2 + 1.5 * r:
                     c[i] = there - (self.sleeve / 2 + 1.6 * r) * a
             elif not self.slides[i + 1] and _near(c[i], there, 0.8 * r):
-                beyond = c[i + 2] if i + 2 < n else self.tip
-                out = float((beyond - there) @ self.axes[i + 1])
-                if abs(out) >= 1.2 * r:  # the later drum towards what it carries, or else the earlier one back
-                    c[i + 1] = there + np.sign(out) * min(1.85 * r, abs(out)) * self.axes[i + 1]
-                else:
-                    sign = -1.0 if i == 0 else float(np.sign((c[i - 1] - c[i]) @ a)) or 1.0
-                    c[i] = c[i] + sign * 1.9 * r * a
+                sign = -1.0 if i == 0 else float(np.sign((c[i - 1] - c[i]) @ a)) or 1.0
+                c[i] = c[i] + sign * 1.9 * r * a
             elif abs(along) < 0.75 * np.linalg.norm(way) and (i > 0 or (along > 0 and a[2] > 0.9)):
                 c[i] = c[i] + along * a  # level with what it carries
 
@@ -347,11 +339,10 @@ class _Builder:
             before.append(slab(a, p, half, -S / 2, S / 2))
             before += [slab(a, p, 1.12 * half, q * S, (q + 0.07) * S, colour="blue") for q in (-0.52, 0.45)]
             after.append(slab(a, p, 0.56 * half, -0.45 * S, out, colour="metal"))
-            if np.linalg.norm(way - (way @ a) * a) > 0.3 * r:
+            end = p + out * a
+            if not _near(end, there, r):
                 after.append(slab(a, p, 0.95 * half, out - 0.1 * S, out + 0.1 * S, colour="blue"))
-                after += tube([*(p + out * a), 0.6 * r], [*there, thin])
-            elif length > out + r:
-                after += tube([*(p + out * a), 0.5 * half], [*there, thin])
+                after += tube([*end, 0.6 * half], [*there, thin])
             return
         half = 0.92 * r
         before.append(drum(a, p, r, -half, half))

@@ -61,13 +61,6 @@ class Pictures(Covered):
         shown = {"order": order, "frames": list(map(follow_theme, frames))}
         super().__init__((texts, looks), texts=texts, looks=looks, **shown, **traits)
 
-    @traitlets.validate("at")
-    def _validate_at(self, proposal: Any) -> int:
-        index: int = proposal["value"]
-        if index not in range(len(self.order)):
-            raise ValueError(f"at must be the number of a picture, 0 to {len(self.order) - 1}; got {index!r}.")
-        return index
-
     @property
     def alt(self) -> str:
         """The text alternative of the whole: what the still pictures show, in order."""

@@ -77,7 +77,7 @@ class Steps(ViewerBase):
     @property
     def stop(self) -> Stop:
         """The stop that is shown, or the last one that was passed."""
-        return self.stops[min(int(self.at + 1e-9), len(self.stops) - 1)]
+        return self.stops[max(0, min(int(self.at + 1e-9), len(self.stops) - 1))]
 
     @property
     def alt(self) -> str:
@@ -85,16 +85,6 @@ class Steps(ViewerBase):
         passed = self.at > int(self.at + 1e-9) + 1e-9
         said: str = self.stop["alt"] if "alt" in self.stop else self.picture().alt
         return f"{'On the way to the next stop. ' if passed else ''}{said}"
-
-    @traitlets.validate("at", "variant")
-    def _validate_stop(self, proposal: Any) -> Any:
-        name, value = proposal["trait"].name, proposal["value"]
-        last = max(len(variant["stops"]) for variant in self._variants.values()) - 1
-        if name == "variant" and value not in self._variants:
-            raise ValueError(f"variant must be one of {', '.join(self._variants)}; got {value!r}.")
-        if name == "at" and not 0 <= value <= last:
-            raise ValueError(f"at must be the number of a stop, 0 to {last}; got {value!r}.")
-        return value
 
 
 def slide_frames(

@@ -22,11 +22,8 @@ STATIC = Path(__file__).parents[1] / "static"
 
 COVER_TEXT = "Commit to your prediction first; then the picture appears here."
 
-_kept: dict[tuple[Any, ...], dict[str, Any]] = {}
-"""What readers have set, by cell, number in the cell, kind and data of the widget."""
-
-_made: dict[str, list[Any]] = {}
-"""For each cell the request that runs it, and how many widgets it has made."""
+_kept: dict[tuple[str, ...], dict[str, Any]] = {}
+"""What readers have set, by cell, kind and data of the widget."""
 
 
 class Covered(anywidget.AnyWidget):
@@ -48,7 +45,7 @@ class Covered(anywidget.AnyWidget):
     def __init__(self, made_of: Any, *, after: Any = None, **traits: Any) -> None:
         super().__init__(**traits)
         if cell := _cell():
-            kept = _kept.setdefault((*cell, type(self).__name__, repr(made_of)), {})
+            kept = _kept.setdefault((cell, type(self).__name__, repr(made_of)), {})
             for name, value in kept.items():
                 setattr(self, name, value)
             self.observe(lambda change: kept.__setitem__(change.name, change.new), list(self.set_by_reader))
@@ -82,19 +79,12 @@ class Covered(anywidget.AnyWidget):
         return {**data, "text/plain": self.alt, "text/html": self.html(whole=is_without_kernel())}, metadata
 
 
-def _cell() -> tuple[str, int] | None:
-    """Return the cell that runs, and how many widgets it has made before this one."""
+def _cell() -> str:
+    """Return the cell that runs, or ""."""
     shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
     kernel: Any = getattr(shell, "kernel", None)
     request: dict[str, Any] = (kernel.get_parent() if hasattr(kernel, "get_parent") else None) or {}
-    cell = request.get("metadata", {}).get("cellId")
-    if not cell:
-        return None
-    run = _made.setdefault(cell, [None, 0])
-    if run[0] != request["header"]["msg_id"]:
-        run[:] = [request["header"]["msg_id"], 0]
-    run[1] += 1
-    return cell, run[1]
+    return request.get("metadata", {}).get("cellId") or ""
 
 
 def as_script(state: Mapping[str, Any]) -> str:
