@@ -19,11 +19,11 @@ from kinlib.view.drawing.picture import Gallery, Picture
 from kinlib.view.figures.bodies import body_of
 from kinlib.view.figures.linkage import draw_linkage
 from kinlib.view.viewer.meshes import Packages
-from kinlib.view.viewer.viewer import ViewerBase, explore
+from kinlib.view.viewer.viewer import Viewer, explore
 
 
 def show(
-    shown: Chain | DHTable | FrameAssignment | Tree | Mechanism | Picture | Gallery | ViewerBase,
+    shown: Chain | DHTable | FrameAssignment | Tree | Mechanism | Picture | Gallery | Viewer,
     q: JointValues | None = None,
     *,
     path: str | PathLike[str] = "",
@@ -70,7 +70,7 @@ def show(
         raise ValueError(
             f"q must be given with a robot only; got it with a {type(shown).__name__}, which has been drawn already."
         )
-    if not isinstance(shown, Picture | Gallery | ViewerBase):
+    if not isinstance(shown, Picture | Gallery | Viewer):
         raise ValueError(
             f"show takes a Chain, DHTable, FrameAssignment, Tree or Mechanism, or what a function of kinlib.view returns; got "
             f"{describe(shown)}."

@@ -36,19 +36,17 @@ BORDER_PX = 20.0
 """Border in pixels for the labels at the tips of arrows."""
 
 
-def view_axes(view: str) -> tuple[Array, Array]:
+def view_axes(view: str | Sequence[float]) -> tuple[Array, Array]:
     """Return the unit vector towards the viewer, (3,), and those that point right and up on the sheet, (2, 3).
 
-    Raises ValueError if the view is not one of VIEWS.
+    view  one of VIEWS, or azimuth and elevation in degrees
+
+    Raises ValueError for another name.
     """
-    if view not in VIEWS:
+    if isinstance(view, str) and view not in VIEWS:
         raise ValueError(f"view must be one of {', '.join(VIEWS)}; got {view!r}.")
-    return axes_of_view(*VIEWS[view])
-
-
-def axes_of_view(azimuth: float, elevation: float) -> tuple[Array, Array]:
-    """Return the unit vector towards the viewer, (3,), and those that point right and up, (2, 3), for two angles in degrees."""
-    (ca, ce), (sa, se) = (f(np.radians([azimuth, elevation])) for f in (np.cos, np.sin))
+    angles = np.radians(VIEWS[view] if isinstance(view, str) else view)
+    (ca, ce), (sa, se) = np.cos(angles), np.sin(angles)
     return np.array([ce * ca, ce * sa, se]), np.array([[-sa, ca, 0.0], [-se * ca, -se * sa, ce]])
 
 

@@ -16,7 +16,7 @@ from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.table import Convention, DHTable, format_rows, validate_convention
 from kinlib.rigid.lie import adjoint, exp
-from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import frame_text
 from kinlib.view.figures.frame_assignment import assignment_stop, axis_ends, draw_assignment, visible_features
 from kinlib.view.figures.joint_bodies import stations
@@ -133,7 +133,7 @@ def play_walk(rows: ArrayLike, *, after: Any = None) -> Steps:
     >>> player = play_walk([[0.4, 0, 0.1, 0]])
     >>> player.at = 2
     >>> player.alt
-    'Motions that move a frame: 2 of 2 done. The moving frame is at (0.4, 0, 0.1), x along x, y along y, z along z. Reached: {0} at ...'
+    'Motions that move a frame: 2 of 2 done. The moving frame is at (0.4, 0, 0.1), x along x, y along y, z along z.'
     """
     motions, spans, names = [], [], {0: ("0", "0")}
     for i, (a, alpha, d, theta) in enumerate(np.atleast_2d(validation.vectors(rows, "rows", 4)), start=1):
@@ -222,13 +222,12 @@ def _player(tracks: Mapping[str, Track], after: Any) -> Steps:
 
 def _stop(name: str, track: Track, poses: Array, k: int) -> Stop:
     """Return what a track shows after k motions; its screw, ways and turns are those of the motion that follows."""
-    here, parts, places = poses[k], [], []
+    here, parts = poses[k], []
     for reached, (sub, frame) in track.names.items():
         if reached <= k:
             T, length = poses[reached], FRAME_LENGTH * (1 if reached else 0.9)
             shown = frame if " " in frame else ""
             parts.append(frame_part(T, "Oxz", sub=sub, name=shown, length=length, strong=reached == k))
-            places.append(f"{{{frame or sub}}} at {vector_text(T[:3, 3])}")
     ways, turns, screw = [], [], {}
     for motion in track.motions[k : k + 1]:
         screw = {"screw": (adjoint(here) @ motion.twist / (motion.value or 1)).tolist(), "value": motion.value}
@@ -237,8 +236,7 @@ def _stop(name: str, track: Track, poses: Array, k: int) -> Stop:
             letter = letter if motion.name in "da" else motion.name
             ways.append(line_part(here[:3, 3], poses[k + 1, :3, 3], colour, name=letter, width=4))
         if abs(motion.angle) > 0.01:
-            of = "" if motion.distance else motion.name
-            turns.append(turn_part(here, motion.axis, motion.angle, motion.distance, of))
+            turns.append(turn_part(here, motion.axis, motion.angle, motion.distance, motion.name))
     moving = f"The moving frame{f', {name} convention,' if name else ''} is"
     head = f"Motions that move a frame: {k} of {len(track.motions)} done."
     return {
@@ -249,5 +247,5 @@ def _stop(name: str, track: Track, poses: Array, k: int) -> Stop:
         "parts": parts,
         "ways": ways,
         "turns": turns,
-        "alt": f"{head} {frame_text(('', here)).replace('Frame {}', moving)} Reached: {'; '.join(places)}.",
+        "alt": f"{head} {frame_text(('', here)).replace('Frame {}', moving)}",
     }

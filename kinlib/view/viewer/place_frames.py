@@ -14,18 +14,17 @@ from kinlib.dh.assignment import FrameAssignment
 from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.rigid.lie import inverse
-from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import describe_arm, draw_joints, frame_text
 from kinlib.view.viewer.dh_players import table_cells
 from kinlib.view.viewer.frame_candidates import frame_candidates
 from kinlib.view.viewer.scene import bare_scene
-from kinlib.view.viewer.viewer import ViewerBase
+from kinlib.view.viewer.viewer import Viewer
 
 TWO_FRAME_RULES = {"x perpendicular to z", "x meets z"}
 """The rules about two consecutive frames; all others are about one frame."""
 
 
-class ByHand(ViewerBase):
+class ByHand(Viewer):
     """Frames that are placed on the page. Make one with `assign`.
 
     frames   (n + 1, 4, 4) frames 0 to n in {s} at home; NaN for what is not placed yet. The page and Python can both set it
@@ -42,11 +41,12 @@ class ByHand(ViewerBase):
         features = frame_candidates(chain)
         ends = np.array([line[end] for line in features["axes"] for end in ("from", "to")])
         scene = bare_scene(chain, ends)
-        self.convention = convention
-        self.robot = self.chain = chain
+        self.convention, self.chain = convention, chain
         super().__init__(
             {**scene, "offered": ["base", "tool"]},
+            lambda _: draw_joints(chain),  # without the frames
             np.zeros(chain.n),
+            robot=chain,
             shown=["base", "tool"],
             mode={"kind": "assign", "convention": convention, **features},
             frames=frames,
@@ -80,10 +80,6 @@ class ByHand(ViewerBase):
                 f"got {frames.shape}."
             )
         return frames
-
-    def picture(self) -> Picture:
-        """Draw the joints of the arm, without the frames."""
-        return draw_joints(self.chain)
 
     def _judge(self, _: Any) -> None:
         table = self.table

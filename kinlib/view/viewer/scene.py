@@ -13,7 +13,7 @@ from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.rigid.lie import homogeneous, inverse
 from kinlib.urdf.robot_tree import Tree
-from kinlib.view.drawing.canvas import VIEWS, axes_of_view
+from kinlib.view.drawing.canvas import VIEWS, view_axes
 from kinlib.view.figures.bodies import solid_data
 from kinlib.view.figures.branches import Branch, branches, joint_share, robot_body
 from kinlib.view.figures.joint_bodies import are_near, arm_size, axial_offsets, body_motions, carried_axes, stations
@@ -164,17 +164,12 @@ def frames_on_links(chain: Chain, q: Array, frames: Mapping[str, ArrayLike]) -> 
     return layers
 
 
-def half_height(points: Array, look: Sequence[float] = VIEWS["default"]) -> float:
-    """Return half the height of a picture in which points (m, 3) about its centre are in view, from `look` and in all named views."""
-    views = [look, *VIEWS.values()]
-    seen = [np.abs(points @ axes_of_view(*view)[1].T).max(axis=0) for view in views]
-    return max(float(max(HEIGHT_PER_WIDTH * right, up)) for right, up in seen)
-
-
 def room(points: Array, margin: float, look: Sequence[float] = VIEWS["default"]) -> dict[str, Any]:
-    """Return the region in view: the middle of points (m, 3), and half its height with a margin in metres."""
+    """Return the region in view: the middle of points (m, 3), and half its height with a margin in metres, for all named views."""
     centre = (points.min(axis=0) + points.max(axis=0)) / 2
-    return {"centre": centre.tolist(), "radius": half_height(points - centre, look) + margin}
+    sheets = np.array([view_axes(look)[1], *(view_axes(view)[1] for view in VIEWS)])
+    seen = np.abs((points - centre) @ sheets.swapaxes(-1, -2)).max(axis=(0, 1))
+    return {"centre": centre.tolist(), "radius": max(HEIGHT_PER_WIDTH * float(seen[0]), float(seen[1])) + margin}
 
 
 def frame_data(name: str, body: int, pose: Array) -> dict[str, Any]:

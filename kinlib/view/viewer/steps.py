@@ -19,7 +19,7 @@ from kinlib.view.figures.arm import frame_text
 from kinlib.view.figures.parts import draw_parts_about, frame_part, line_part, tips
 from kinlib.view.viewer.pictures import value_text
 from kinlib.view.viewer.scene import room, scene_of_parts
-from kinlib.view.viewer.viewer import ViewerBase
+from kinlib.view.viewer.viewer import Viewer
 
 Stop = dict[str, Any]
 
@@ -27,7 +27,7 @@ AXIS_SHARE, SMALLEST_M = 0.3, 0.3
 """The length of the axes as a share of the extent of the origins, and the least extent, if the frames share an origin."""
 
 
-class Steps(ViewerBase):
+class Steps(Viewer):
     """Stops on the page. Make one with `play_row`, `play_walk`, `play_assignment`, `slide_frames` or `drive`.
 
     at       the stop that is shown, from 0; a fraction is the share of the way to the next one
@@ -54,19 +54,14 @@ class Steps(ViewerBase):
     ) -> None:
         mode = {"kind": "steps", "pace": 0, **mode}
         self._variants: dict[str, Any] = mode["variants"]
-        self._draw = draw
         variant = variant or next(iter(self._variants))
         start = self._variants[variant]["stops"][0].get("q", [0.0])
-        super().__init__(scene, settings.pop("start", start), mode=mode, variant=variant, **settings)
+        super().__init__(scene, draw, settings.pop("start", start), mode=mode, variant=variant, **settings)
         self.observe(self._follow, ["at", "variant"])
         self._follow(None)
 
     def _follow(self, _: Any) -> None:
         self.q = self.stop.get("q", self.q)
-
-    def picture(self) -> Picture:
-        """Draw the stop that is shown."""
-        return self._draw(self)
 
     @property
     def stops(self) -> list[Stop]:

@@ -4,7 +4,7 @@ Python describes the robot once, as data (kinlib.view.viewer.scene). The page mo
 its scene graph, so a slider needs no answer from Python. Both sides share the traits below, and either side can set them.
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from os import PathLike
 from typing import Any
 
@@ -29,8 +29,8 @@ MAX_NAMED_TIPS = 8
 """A tree with more tips opens without their frames, which would hide it."""
 
 
-class ViewerBase(Covered):
-    """The base of every viewer: the traits that it shares with the page, and its HTML for pages without a kernel.
+class Viewer(Covered):
+    """A viewer: the traits that it shares with the page, and its HTML for pages without a kernel. Make one with `explore`.
 
     q        (n,) joint values; the page and Python can both set them
     start    (n,) the joint values that the button "Reset" restores
@@ -41,7 +41,8 @@ class ViewerBase(Covered):
     meshes   the bytes of files of meshes by name, and `loaders` the script that reads them, if there are some
     notes    what is not shown, in sentences
 
-    It is made of a scene, the joint values at the start, and further traits.
+    It is made of a scene, a function that draws its picture, the joint values at the start, the robot that has them, and further
+    traits.
 
     >>> arm = explore(kl.robots.rpr(), frames={"1": np.eye(4)})
     >>> arm.html()[:25], arm.own_frames(), arm.picture().alt[:3]
@@ -63,10 +64,18 @@ class ViewerBase(Covered):
     loaders = traitlets.Unicode().tag(sync=True)
     notes = traitlets.List(traitlets.Unicode()).tag(sync=True)
     set_by_reader: Sequence[str] = ("q", "shown")
-    robot: Chain | Tree | None = None
-    """What q are the joint values of, if it is an arm or a tree."""
 
-    def __init__(self, scene: dict[str, Any], start: ArrayLike = (), *, after: Any = None, **traits: Any) -> None:
+    def __init__(
+        self,
+        scene: dict[str, Any],
+        draw: Callable[[Any], Picture],
+        start: ArrayLike = (),
+        *,
+        robot: Chain | Tree | None = None,
+        after: Any = None,
+        **traits: Any,
+    ) -> None:
+        self._draw, self.robot = draw, robot
         mode = traits.get("mode", {})
         super().__init__((scene, mode, start), after=after, scene=scene, q=start, start=start, **traits)
         self.observe(self._send_drawing, ["flat", *self.set_by_reader])
@@ -97,7 +106,7 @@ class ViewerBase(Covered):
 
     def picture(self) -> Picture:
         """Return the drawing that is shown before the script starts, without WebGL, and in print."""
-        raise NotImplementedError
+        return self._draw(self)
 
     @property
     def alt(self) -> str:
@@ -133,30 +142,6 @@ class ViewerBase(Covered):
             theirs |= {"meshes", "loaders"}
         own = [name for name in self.trait_names(sync=True) if name not in theirs and not name.startswith("_")]
         return self.on_page("viewer", self.get_state(sorted(own)), self.picture().html())
-
-
-class Viewer(ViewerBase):
-    """A robot on the page, an arm or a tree. Make one with `explore`.
-
-    >>> arm = explore(kl.robots.rpr())
-    >>> arm.picture().alt[:13]
-    'RPR, 3 joints'
-    """
-
-    robot: Chain | Tree
-
-    def __init__(self, robot: Chain | Tree, scene: dict[str, Any], start: ArrayLike, **traits: Any) -> None:
-        self.robot = robot
-        super().__init__(scene, start, **traits)
-
-    def picture(self) -> Picture:
-        """Draw the robot with the layers that are shown."""
-        drawn, frames = [name for name in self.shown if name in ARM_LAYERS], {}
-        if isinstance(self.robot, Chain):
-            moved, layers = body_motions(self.robot, np.array(self.q)), self.scene["arms"][0]["frames"]
-            single = [layers[layer][0] for layer in self.own_frames() if layer in self.shown]
-            frames = {frame["name"]: moved[frame["body"]] @ np.reshape(frame["pose"], (4, 4)) for frame in single}
-        return draw_arm(self.robot, self.q, show=drawn, frames=frames)
 
 
 def opening(robot: Chain | Tree) -> Array:
@@ -226,4 +211,14 @@ def explore(
         arm["meshes"] = own
     loaders = (STATIC / "meshes.js").read_text("utf-8") if files else ""
     read = {"meshes": files, "loaders": loaders, "notes": notes}
-    return Viewer(robot, whole, home, shown=layers, readout=isinstance(robot, Chain), after=after, **read)
+
+    def draw(viewer: Viewer) -> Picture:
+        drawn, own = [name for name in viewer.shown if name in ARM_LAYERS], {}
+        if isinstance(robot, Chain):
+            moved, given = body_motions(robot, np.array(viewer.q)), whole["arms"][0]["frames"]
+            for frame in (given[layer][0] for layer in viewer.own_frames() if layer in viewer.shown):
+                own[frame["name"]] = moved[frame["body"]] @ np.reshape(frame["pose"], (4, 4))
+        return draw_arm(robot, viewer.q, show=drawn, frames=own)
+
+    shows_pose = isinstance(robot, Chain)
+    return Viewer(whole, draw, home, robot=robot, shown=layers, readout=shows_pose, after=after, **read)

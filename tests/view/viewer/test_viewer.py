@@ -12,8 +12,9 @@ from urdf_files import trees
 import kinlib as kl
 from kinlib.dh.table import table_frames
 from kinlib.view import explore
+from kinlib.view.drawing.canvas import VIEWS, view_axes
 from kinlib.view.figures.branches import branches
-from kinlib.view.viewer.scene import half_height
+from kinlib.view.viewer.scene import HEIGHT_PER_WIDTH
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 
@@ -86,4 +87,6 @@ def test_the_region_in_view_contains_all_frames_that_are_given():
         name: turned @ T for name, T in table_frames(kl.assign_frames(arm, "standard").table, np.zeros(6)).items()
     }
     room = explore(arm, frames=frames).scene["room"]
-    assert half_height(np.array([T[:3, 3] for T in frames.values()]) - room["centre"]) < room["radius"]
+    for view in VIEWS:
+        seen = np.abs((np.array([T[:3, 3] for T in frames.values()]) - room["centre"]) @ view_axes(view)[1].T)
+        assert (seen * (HEIGHT_PER_WIDTH, 1) < room["radius"]).all()
