@@ -82,6 +82,7 @@ class Canvas:
         self._labels: list[Label] = []
         self._strokes: list[Array] = []
         self._bodies: list[Array] = []
+        self._content: list[Array] = []
 
     def project(self, points: ArrayLike) -> Array:
         """Project points (..., 3) onto the plane of the sheet, (..., 2), in metres."""
@@ -108,6 +109,7 @@ class Canvas:
         """Draw a line through points, above all marks of a lower level. Labels avoid it unless its level is 0, the floor."""
         path = self.to_pixels(points)
         self._marks.append((level, svg.polyline(path, colour, width, style)))
+        self._content.append(path)
         if level > 0:
             self._strokes.append(np.stack([path[:-1], path[1:]], axis=1))
 
@@ -133,6 +135,7 @@ class Canvas:
         neck, across = tip - head * along, 0.36 * head * along[::-1] * (-1, 1)
         self._marks.append((level, svg.polyline(np.array([tail, neck]), colour, width, style)))
         self._marks.append((level, svg.polygon(np.array([tip, neck + across, neck - across]), colour)))
+        self._content.append(np.array([tail, tip, neck + across, neck - across]))
         self._strokes.append(np.array([[tail, tip]]))
 
     def axis(self, start: ArrayLike, tip: ArrayLike, name: str = "", *, width: float = 1.5, level: float = 3.5) -> None:
@@ -151,6 +154,7 @@ class Canvas:
         """Fill a polygon that is given in pixels, (m, 2)."""
         if len(pixels) > 2:
             self._marks.append((level, svg.polygon(pixels, colour, edge, width)))
+            self._content.append(pixels)
 
     def gradient(self, start: Array, end: Array, colours: Sequence[str]) -> str:
         """Return the colour of a shape that changes evenly from one place to another, both in pixels."""
@@ -165,6 +169,7 @@ class Canvas:
     def dot(self, point: ArrayLike, colour: str = INK, size: float = 5.0, level: float = 5.0) -> None:
         """Mark a point by a dot."""
         self._marks.append((level, svg.circle(self.to_pixels(point), size / 2, colour)))
+        self._content.append(self.to_pixels(point)[None])
 
     def label(
         self,
@@ -251,7 +256,9 @@ class Canvas:
             if np.linalg.norm(border - label.anchor) > label.size:  # a thin line leads to what it names
                 marks.append(svg.polyline(np.array([label.anchor, border]), GREY, 0.8))
             marks.append(svg.text(centre, label.text, label.colour, label.size))
-        picture = Picture(svg.document(marks, *self._sheet), alt, caption)
+            self._content.append(np.array([centre - half, centre + half]))
+        points = np.concatenate([*self._content, self._sheet[None] / 2])
+        picture = Picture(svg.document(marks, *self._sheet), alt, caption, (*points.min(axis=0), *points.max(axis=0)))
         return crop([picture])[0] if cropped else picture
 
     def _tiles(self, points: Array, side: int, room: float) -> Array:
@@ -269,6 +276,7 @@ class Canvas:
     def _end_on(self, centre: Array, radius: float, towards: bool, colour: str, level: float) -> None:
         """Draw an arrow that points towards the viewer or away."""
         marks = [svg.circle(centre, radius, "white", edge=colour)]
+        self._content.append(np.array([centre - radius, centre + radius]))
         if towards:
             marks.append(svg.circle(centre, radius / 3, colour))
         else:

@@ -6,7 +6,7 @@ import io
 import os
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib import import_module
 from os import PathLike
 from pathlib import Path
@@ -33,6 +33,8 @@ MIN_ALT_CHARACTERS = 20
 class Picture:
     """A finished drawing as SVG, with a text alternative that says what it shows.
 
+    content  the left, upper, right and lower end of what a canvas has drawn, in pixels
+
     Raises ValueError if the text alternative is shorter than MIN_ALT_CHARACTERS.
 
     >>> nothing = Picture("<svg></svg>", "A drawing with nothing in it.")
@@ -48,6 +50,7 @@ class Picture:
     svg: str
     alt: str
     caption: str = ""
+    content: tuple[float, ...] = field(default=(), repr=False, compare=False)
 
     def __post_init__(self) -> None:
         if len(self.alt) < MIN_ALT_CHARACTERS:

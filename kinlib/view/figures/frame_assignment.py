@@ -16,18 +16,6 @@ from kinlib.view.figures.arm import describe_arm, direction_text
 from kinlib.view.figures.joint_bodies import are_near, arm_size, draw_joint_bodies
 from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part, ranks
 
-STEP_TITLES = {
-    "axes": "The joint axes",
-    "first": "Frame 0",
-    "normal": "Axes {i} and {j}",
-    "origin": "Origin O_{i}",
-    "x": "Axis x_{i}",
-    "y": "Axis y_{i}",
-    "last": "Frame {i}, the last",
-    "row": "Row {i} of the table",
-    "accuracy": "The table and the arm",
-}
-
 MARKED_PARTS = {"origin": "O", "x": "x", "y": "y", "first": "Oxyz", "last": "Oxyz"}
 """The parts of its frame that a step is about: O for the origin, and axes."""
 
@@ -94,7 +82,6 @@ def assignment_stop(assignment: FrameAssignment, k: int, count: int | None = Non
     whole = "; ".join(f"frame {j} {_place(frames[j])}" for j in assigned if "y" in assigned[j])
     head = f"{chain.name}, {assignment.table.convention} convention, step {k + 1} of {count or len(assignment.steps)}."
     return {
-        "title": STEP_TITLES[step.kind].format(i=i, j=None if i is None else i + 1),
         "text": step.text,
         "others": step.others,
         "alt": f"{head} {step.text}{axes} Drawn so far: {whole or 'the joints and their axes'}.",

@@ -82,11 +82,6 @@ class Track(NamedTuple):
     spans: Sequence[tuple[str, int, int]]
     names: dict[int, tuple[str, str]]
 
-    @property
-    def poses(self) -> Array:
-        """The pose of the frame after 0, 1, ..., m motions, (m + 1, 4, 4)."""
-        return np.array([*accumulate((exp(motion.twist) for motion in self.motions), np.matmul, initial=np.eye(4))])
-
 
 def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any = None) -> Steps:
     """Play the four motions of a DH row in the order of a convention.
@@ -195,13 +190,14 @@ def _axis(one: Array, other: Array, name: str, size: float) -> Part:
 
 def _player(tracks: Mapping[str, Track], after: Any) -> Steps:
     """Return the player of tracks, of which one is shown: the moving frame, the ways it has made, and the frames it has reached."""
-    size = max(float(np.ptp([track.poses[:, :3, 3] for track in tracks.values()], axis=(0, 1)).max()), 0.2)
+    twists = np.array([[motion.twist for motion in track.motions] for track in tracks.values()])
+    every = np.array([[*accumulate(exp(own), np.matmul, initial=np.eye(4))] for own in twists])
+    size = max(float(np.ptp(every[..., :3, 3], axis=(0, 1)).max()), 0.2)
     variants: dict[str, dict[str, Any]] = {}
-    points = []
-    for name, track in tracks.items():
-        poses = track.poses
+    points = [tips(every, FRAME_LENGTH * size)]
+    for (name, track), poses in zip(tracks.items(), every, strict=True):
         still = [_axis(poses[first], poses[last], axis, size) for axis, first, last in track.spans]
-        points += [[part["from"], part["to"]] for part in still] + [tips(poses, FRAME_LENGTH * size)]
+        points += [np.array([part["from"], part["to"]]) for part in still]
         variants[name] = {
             "stops": [_stop(name, track, poses, k) for k in range(len(poses))],
             "still": [*still, frame_part(poses[-1], "Oxyz", length=0.9 * FRAME_LENGTH, strong=False)],

@@ -25,9 +25,6 @@ from kinlib.view.viewer.meshes import Packages, read_meshes
 from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, scene
 from kinlib.view.viewer.widget import STATIC, Covered
 
-MAX_NAMED_TIPS = 8
-"""A tree with more tips opens without their frames, which would hide it."""
-
 
 class Viewer(Covered):
     """A viewer: the traits that it shares with the page, and its HTML for pages without a kernel. Make one with `explore`.
@@ -198,8 +195,8 @@ def explore(
     validation.instance(robot, "robot", Chain, Tree)
     home = opening(robot) if start is None else validation.single(robot.in_order(start), "q")
     found = branches(robot, visuals)
-    few_joints, few_tips = joint_share(found) == 1, len(found) <= MAX_NAMED_TIPS
-    layers = [*["axes"] * few_joints, "base", *["tool"] * few_tips] if show is None else list(show)
+    usual = ["axes", "base", "tool"] if joint_share(found) == 1 else ["base"]
+    layers = usual if show is None else list(show)
     if frames:
         layers = [layer for layer in layers if layer not in FRAME_LAYERS]
         named = any(f"frame {name}" in layers for name in frames)

@@ -51,7 +51,6 @@ export function steps({ model, stage, data }) {
     ...Object.keys(data.variants).map((name) => h('option', { value: name }, describeChoice(name, data.choice))),
   );
   const count = h('span', { class: 'kv-small' });
-  const title = h('p', { class: 'kv-title' });
   const others = h('p', { class: 'kv-note' });
   const text = h('p', { class: isWalk ? 'kv-motion-text' : '' });
   const product = h('div', { class: 'kv-product', hidden: !isWalk });
@@ -69,7 +68,7 @@ export function steps({ model, stage, data }) {
     'aria-live': 'polite',
     'aria-atomic': String(!isWalk),
   });
-  said.append(title, product, text, others);
+  said.append(product, text, others);
   const named = data.label && !data.map ? [h('label', { for: controls.id }, `${data.label}: `), count] : [count];
   const element = h(
     'section',
@@ -86,8 +85,6 @@ export function steps({ model, stage, data }) {
     select.value = model.get('variant');
     const shown = data.label ? now.title : countText();
     count.textContent = data.map ? '' : shown;
-    title.hidden = Boolean(data.label) || !now.title;
-    title.replaceChildren(...renderMathText(now.title ?? ''));
     others.replaceChildren(...(now.others ? [h('b', {}, 'Also valid: '), ...renderMathText(now.others)] : []));
     const current = Math.ceil(at() - WITHIN); // the motion that is being made, or has just been made
     setSentence(text, stops()[isWalk ? current : passed()].text ?? '');
