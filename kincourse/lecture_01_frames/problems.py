@@ -63,7 +63,7 @@ def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
         "of {s}. The dotted line is vertical: the two numbers at its foot are the coordinates $x$ and $y$ of the origin of {b}, and the "
         "number beside it is the height $z$.",
         further="What is $T_{bs}$, and which of its numbers can you read off the drawing directly?",
-        figure=partial(draw_frames, {"s": np.eye(4), "b": T_sb.value}, arrows=False, numbers=True),
+        figure=partial(draw_frames, {"s": np.eye(4), "b": T_sb.value}, numbers=True),
         answer=PoseAnswer(T_sb),
         advice={
             "axes in rows": "The axes of {b}, written in {s}, are the columns of $R_{sb}$; its rows are the axes of {s}, written in {b}.",
@@ -170,7 +170,7 @@ def point_and_arrow(sampler: ArmSampler) -> Problem:
         "end. Both are written in the frame {c} of a camera. Write both in {s}: the point in the first row, the vector in the second.\n\n"
         f"$$T_{{sc}} = {matrix(T)}$$",
         further="The camera moves by 1 m without rotating. Which of your two rows changes?",
-        figure=partial(draw_frames, {"s": np.eye(4), "c": T}, arrows=False),
+        figure=partial(draw_frames, {"s": np.eye(4), "c": T}),
         given={"T_sc": T, "point_c": x_c, "arrow_c": d},
         answer=VectorsAnswer(both, unit="m", names=["the point", "the vector"]),
         advice={
@@ -193,7 +193,7 @@ def look_back(sampler: ArmSampler) -> Problem:
         f"of the gripper.\n\n$$T_{{sg}} = {matrix(T)}$$",
         method=f"The inverse of $(R, p)$ is $(R^T, -R^T p)$, here with $-R^T p = {vector(T_gs.value[:3, 3])}$.",
         further="For which poses is the inverse the same matrix as the pose itself?",
-        figure=partial(draw_frames, {"s": np.eye(4), "g": T}, arrows=False),
+        figure=partial(draw_frames, {"s": np.eye(4), "g": T}),
         given={"T_sg": T},
         answer=PoseAnswer(T_gs),
         advice={
@@ -219,7 +219,7 @@ def subscripts_that_cancel(sampler: ArmSampler) -> Problem:
         f"the base frame {{s}} are known. Give $T_{{to}}$, the pose of the object in the frame of the tool.\n\n"
         f"$$T_{{sc}} = {matrix(T_sc)}$$\n\n$$T_{{co}} = {matrix(T_co)}$$\n\n$$T_{{st}} = {matrix(T_st)}$$",
         further="Which pose do you get from $T_{oc}\\,T_{cs}\\,T_{st}$, and how is it related to your answer?",
-        figure=partial(draw_frames, {"s": np.eye(4), "c": T_sc, "t": T_st}, arrows=False),
+        figure=partial(draw_frames, {"s": np.eye(4), "c": T_sc, "t": T_st}),
         given={"T_sc": T_sc, "T_co": T_co, "T_st": T_st},
         answer=PoseAnswer(T_to),
         advice={
@@ -364,7 +364,7 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
         statement=f"A frame {{b}} has the pose $T_{{sb}}$ in {{s}}. It {first}, and then it {second}. Give its new pose in {{s}}.\n\n"
         f"$$T_{{sb}} = {matrix(T)}$$",
         further="Exchange *own* and *fixed* in both motions. When is the result the same?",
-        figure=partial(draw_frames, {"s": np.eye(4), "b": T}, arrows=False),
+        figure=partial(draw_frames, {"s": np.eye(4), "b": T}),
         given={"T_sb": T, "axis": np.eye(3)[k], "degrees": degrees, "shift": far * np.eye(3)[along]},
         shown={"own": "turn" if turn_is_own else "shift"},
         answer=PoseAnswer(moved),

@@ -75,7 +75,7 @@ def four_numbers(sampler: ArmSampler) -> Problem:
         statement="Frames 0 and 1 follow the standard convention. Read their row from the drawing: $a_1, \\alpha_1, d_1, \\theta_1$. "
         "Lengths are whole metres, and angles are multiples of 90°.",
         further="Give the row that leads back from frame 1 to frame 0. Is it a standard row?",
-        figure=partial(draw_frames, frames, arrows=False, numbers=True),
+        figure=partial(draw_frames, frames, numbers=True),
         answer=DHRowAnswer(row),
         solution=dh_row(*row),
         advice={"degrees": "Give the angles in radians."},

@@ -276,7 +276,7 @@ def which_convention(sampler: ArmSampler) -> Problem:
             for name, pose in poses.items()
         ),
         further="Which one further measurement would decide every such question?",
-        figure=partial(draw_frames, {"0": np.eye(4), "2": T}, arrows=False),
+        figure=partial(draw_frames, {"0": np.eye(4), "2": T}),
         given={"rows": rows, "q": q, "pose": T},
         answer=Choice(truth, options),
         mistakes=[Mistake(options[letter], letter, why[letter]) for letter in options if letter != truth],

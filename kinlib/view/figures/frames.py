@@ -1,7 +1,7 @@
 """Drawings of frames by name, and of the arm of a DH table with its frames."""
 
 from collections.abc import Mapping
-from itertools import accumulate, pairwise
+from itertools import accumulate
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,7 +10,7 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.dh.table import DHTable
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import GREY, ORANGE, PALE_GREY
+from kinlib.view.drawing.figure_colours import ORANGE, PALE_GREY
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import frame_text
 from kinlib.view.figures.frame_assignment import translations
@@ -18,8 +18,8 @@ from kinlib.view.figures.joint_bodies import draw_joint_bodies
 from kinlib.view.figures.parts import draw_parts, frame_part, ranks, tips
 
 
-def draw_frames(frames: Mapping[str, ArrayLike], *, arrows: bool = True, numbers: bool = False) -> Picture:
-    """Draw frames by name, with an arrow from each to the next.
+def draw_frames(frames: Mapping[str, ArrayLike], *, numbers: bool = False) -> Picture:
+    """Draw frames by name.
 
     frames   {"s": T_ss, "b": T_sb, ...}, poses (4, 4) in one common frame
     numbers  whether the grid has numbers and each origin a dotted line down to it, so that its coordinates can be read off
@@ -33,8 +33,6 @@ def draw_frames(frames: Mapping[str, ArrayLike], *, arrows: bool = True, numbers
     every = np.array([*poses.values()])
     origins = every[:, :3, 3]
     canvas = _on_floor(np.concatenate([origins, tips(every, 0.5)]), origins[origins.any(axis=1)], numbers)
-    for start, end in pairwise(origins if arrows else []):
-        canvas.arrow(start, end, GREY, 1.2, level=1)
     for name, T in poses.items():
         canvas.triad(T, name, 0.25 * canvas.size)
     return canvas.picture(" ".join(map(frame_text, poses.items())), cropped=True)

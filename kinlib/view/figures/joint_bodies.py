@@ -84,11 +84,8 @@ def axial_offsets(axes: Array, points: Array) -> Array:
     Joints with the same point and axis would hide each other. A joint may be drawn anywhere on its axis, because its screw and
     therefore its motion stay the same.
     """
-    shift = np.zeros(len(axes))
-    for i in range(len(axes)):
-        here = np.linalg.norm(points - points[i], axis=-1) < 1e-6
-        peers = np.flatnonzero(here & (np.abs(axes @ axes[i]) > 1 - 1e-6))
-        rank = float(np.searchsorted(peers, i)) - (len(peers) - 1) / 2
-        # Along the direction of the first one, even if others point in the opposite direction.
-        shift[i] = rank * np.sign(axes[peers[0]] @ axes[i])
-    return shift
+    same = np.linalg.norm(points[:, None] - points, axis=-1) < 1e-6
+    same &= np.abs(axes @ axes.T) > 1 - 1e-6
+    rank = np.tril(same, -1).sum(axis=1) - (same.sum(axis=1) - 1) / 2
+    # Along the direction of the first one, even if others point in the opposite direction.
+    return np.asarray(rank * np.sign((axes * axes[same.argmax(axis=1)]).sum(axis=1)))

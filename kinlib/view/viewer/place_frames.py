@@ -32,7 +32,9 @@ class ByHand(Viewer):
     verdict  the result of the last check, for the page
     """
 
-    frames = traitlets.Any().tag(sync=True, to_json=lambda frames, _: _as_json(frames))
+    frames = traitlets.Any().tag(
+        sync=True, to_json=lambda frames, _: np.where(np.isnan(frames), np.array(None), frames).tolist()
+    )
     asked = traitlets.Int(0).tag(sync=True)
     verdict = traitlets.Dict().tag(sync=True)
     set_by_reader = ("frames",)
@@ -55,8 +57,11 @@ class ByHand(Viewer):
 
     @property
     def breaches(self) -> list[Breach]:
-        """The rules that are broken by the frames placed so far."""
-        return check_placed_frames(self.chain, self.frames, self.convention)
+        """The rules that are broken by the frames placed so far; rules about an incomplete frame are not checked yet."""
+        whole, other = np.isfinite(self.frames.sum(axis=(1, 2))), -1 if self.convention == "standard" else 1
+        filled = np.where(whole[:, None, None], self.frames, np.eye(4))
+        found = [breach for breach in check_frames(self.chain, filled, self.convention) if whole[breach.frame]]
+        return [breach for breach in found if breach.rule not in TWO_FRAME_RULES or whole[breach.frame + other]]
 
     @property
     def table(self) -> DHTable | None:
@@ -113,25 +118,6 @@ def assign(chain: Chain, convention: Convention) -> ByHand:
     bare = np.full((chain.n + 1, 4, 4), np.nan)
     bare[:, 3] = 0.0, 0.0, 0.0, 1.0
     return ByHand(chain, validate_convention(convention), bare)
-
-
-def _as_json(frames: Array) -> list[Any]:
-    numbers = frames.astype(object)
-    numbers[np.isnan(frames)] = None
-    listed: list[Any] = numbers.tolist()
-    return listed
-
-
-def check_placed_frames(chain: Chain, frames: Array, convention: Convention) -> list[Breach]:
-    """Check the frames that are completely placed; rules about an incomplete frame are not checked yet."""
-    whole = np.isfinite(frames.sum(axis=(1, 2)))
-    other = -1 if convention == "standard" else 1
-    filled = np.where(whole[:, None, None], frames, np.eye(4))
-    return [
-        breach
-        for breach in check_frames(chain, filled, convention)
-        if whole[breach.frame] and (breach.rule not in TWO_FRAME_RULES or whole[breach.frame + other])
-    ]
 
 
 def _table(chain: Chain, frames: Array, convention: Convention) -> DHTable:

@@ -93,18 +93,9 @@ def scene(
 
 def bare_scene(chain: Chain, points: Array) -> dict[str, Any]:
     """Return the scene of the arm at home without a body and sliders, with a view that also contains points (m, 3)."""
-    (branch,) = branches(chain)
-    ends = np.array([f([*points, *stations(chain)], axis=0) for f in (np.min, np.max)])
-    radius = 0.42 * float(np.linalg.norm(ends[1] - ends[0]))  # no arm fills the sphere around it
-    size, lowest = arm_size(branch.chain), float(stations(chain)[:, 2].min())
-    return {
-        "name": chain.name,
-        "size": max(size, radius),
-        "arms": [arm_data(branch, bare=True)],
-        "room": {"centre": ends.mean(axis=0).tolist(), "radius": radius, "constant": True},
-        "floor": lowest - (0.1 if lowest > -0.05 * size else 0.2) * size,
-        "offered": ["dimensions"],
-    }
+    seen = np.concatenate([points, stations(chain)])
+    arm = arm_data(branches(chain)[0], bare=True)
+    return scene_of_parts(chain.name, seen, arm_size(chain)) | {"arms": [arm], "offered": ["dimensions"]}
 
 
 def scene_of_parts(name: str, points: Array, size: float) -> dict[str, Any]:

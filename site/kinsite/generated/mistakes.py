@@ -88,7 +88,7 @@ def example(templates: Sequence[Template], mistake: str) -> Iterator[str]:
         yield f"| as it is, in {template.number} | as typed |\n| --- | --- |\n| ${marked(right, typed)}$ | ${marked(typed, right)}$ |"
         with suppress(ValueError):  # a mistake may lead to no rigid motion
             frames = {"as it is": poses(right, "right"), "as typed": poses(typed, "typed")}
-            yield f"```{{raw}} html\n{draw_frames(frames, arrows=False).html()}\n```"
+            yield f"```{{raw}} html\n{draw_frames(frames).html()}\n```"
         return
 
 

@@ -11,7 +11,6 @@ from kincourse import open_sheet
 from kinlib.view import assign, drive, explore, play_assignment, play_row, play_walk, slide_frames
 from kinlib.view.figures.arm import frame_text
 from kinlib.view.viewer.frame_candidates import frame_candidates
-from kinlib.view.viewer.place_frames import check_placed_frames
 
 ARMS = [kl.robots.rpr(), kl.robots.puma560()]
 CONVENTIONS = ["standard", "modified"]
@@ -147,9 +146,9 @@ def test_incomplete_frames_are_not_checked_and_do_not_affect_others(convention):
     for missing in (0, 1, 3, 5):
         frames = kl.assign_frames(chain, convention=convention).frames.copy()
         frames[missing, :3, 0] = np.nan
-        assert check_placed_frames(chain, frames, convention) == []
+        assert placed(chain, convention, frames).breaches == []
         frames[4, :3, 0] *= -1  # no longer right-handed
-        assert {breach.frame for breach in check_placed_frames(chain, frames, convention)} == {4}
+        assert {breach.frame for breach in placed(chain, convention, frames).breaches} == {4}
 
 
 def test_a_sheet_names_the_frames_that_are_not_placed():
