@@ -292,15 +292,15 @@ class Examination:
 
 def _shown(table: DHTable, caption: str, rows: Sequence[Sequence[str]] = (), arm: Chain | None = None) -> str:
     """Write a table with its convention, below it the base and the tool with all their digits, and how far it is from an arm."""
-    rows = rows or [["", str(i), *row] for i, row in enumerate(_entries(table), start=1)]
+    heads = [*["agrees"] * bool(rows), *headings(table.convention)]
+    rows = rows or [[str(i), *row] for i, row in enumerate(_entries(table), start=1)]
     caption = f"{caption} ({table.convention} convention, lengths in m)"
     ends = [f"{name} = {format_matrix(T, PRINTED_DIGITS)}: {describe_pose(T)}" for name, T in _ends(table).items()]
     if arm:
         off = _difference(table, arm)
         differ = "are the arm's" if off == "0 m and 0°" else f"differ from the arm's by at most {off}"
         ends.append(f"With these numbers, the poses for the same q {differ}.")
-    shown = html_table(caption, ["", *headings(table.convention)], rows)
-    return shown + "".join(f"<p>{escape(end)}</p>" for end in ends)
+    return html_table(caption, heads, rows) + "".join(f"<p>{escape(end)}</p>" for end in ends)
 
 
 def _explained(strict: Diagnosis, mistakes: Sequence[Fault], table: DHTable) -> TableExplanation:

@@ -26,7 +26,7 @@ def build(folder: Path) -> int:
     write_source(folder / "source")
     print("Building the lab, that is, Python for the pages, unless it is kept from before.", flush=True)
     built_lab = lab.build()
-    values = (f"kinlib_lab={'lab' if built_lab else ''}", f"kinlib_python_mb={lab.megabytes(built_lab)}")
+    values = (f"kinlib_lab={'lab' if built_lab else ''}", f"html_context.kinlib_python_mb={lab.megabytes(built_lab)}")
     settings = [word for value in values for word in ("-D", value)]
     strict = ["-n", "-W", "--keep-going"]  # every warning fails the build, after all of them have been reported
     arguments = ("-c", HERE, "-d", folder / "doctrees", *settings, folder / "source", folder / "html")

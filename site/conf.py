@@ -6,6 +6,8 @@ import tomllib
 from pathlib import Path
 from urllib.parse import urlsplit
 
+from sphinx.builders.html import StandaloneHTMLBuilder
+
 import kinlib
 
 HERE = Path(__file__).resolve().parent
@@ -72,6 +74,8 @@ notfound_urls_prefix = urlsplit(html_baseurl).path
 html_copy_source = False
 html_show_sourcelink = False
 html_use_index = False
+StandaloneHTMLBuilder.search = False  # Pagefind makes the index of the search
+html_additional_pages = {"search": "search.html"}
 html_domain_indices = False
 html_math_renderer = "katex"
 highlight_language = "none"  # a block without a language is a command line, and would be coloured as Python
@@ -82,7 +86,7 @@ html_theme_options = {
     "dark_css_variables": {"color-brand-primary": "#c9a2ff", "color-brand-content": "#c9a2ff"},
 }
 
-kinlib_repository = SETTINGS["repository"].rstrip("/")
+html_context = {"kinlib_repository": SETTINGS["repository"].rstrip("/"), "html_baseurl": html_baseurl}
 
 katex_prerender = True
 katex_css_path = "katex/katex.min.css"

@@ -32,8 +32,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     own = b"".join(path.read_bytes() for path in sorted(Path(__file__).parent.rglob("*.py")))
     app.add_config_value("kinlib_generator_hash", package_hash() + hashlib.sha256(own).hexdigest(), "env")
     app.add_config_value("kinlib_lab", "", "html")  # the folder of the lab, or nothing if there is no lab
-    app.add_config_value("kinlib_python_mb", "", "html")  # how many megabytes of Python a page loads, if there is a lab
-    app.add_config_value("kinlib_repository", "", "html")  # its address, or nothing: then no page links to it
     app.add_directive("kinlib-arm", ArmDirective)
     app.add_directive("kinlib-wrong-answers", WrongAnswersDirective)
     app.connect("builder-inited", copy_files)
@@ -80,16 +78,13 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
         app.add_css_file("planar_arm.css")
     # furo gives its captions the role of headings without a level, which is not valid; they are captions
     context["furo_navigation_tree"] = context["furo_navigation_tree"].replace(' role="heading"', "")
-    context["html_baseurl"] = app.config.html_baseurl
     folder, _, name = page.partition("/")
     is_notebook = folder in ("lectures", "sheets") and name != "index" and doctree is not None
     context["kinlib_notebook"] = f"files/{page}.ipynb" if is_notebook else ""
     path = f"notebooks/{name}.ipynb" if folder == "lectures" else f"exercises/{name}/{name}.ipynb"
-    context["kinlib_repository"] = app.config.kinlib_repository
     lab = app.config.kinlib_lab
     context["kinlib_run"] = f"{lab}/notebooks/index.html?path={path}" if lab and is_notebook else ""
     context["kinlib_lab_folder"] = f"{lab}/"
-    context["kinlib_python_mb"] = app.config.kinlib_python_mb
     context["kinlib_kind"] = folder.rstrip("s") if is_notebook else ""
     sheet = sheet_of(name) if folder == "lectures" else ""
     context["kinlib_sheet"] = sheet if f"sheets/{sheet}" in app.env.found_docs else ""

@@ -4335,7 +4335,8 @@ ${i.map(s=>ln(s)?"    ...,":`    pose((${[0,1,2].map(r=>e(Be(s,r))).join(", ")})
 .kv[data-theme="dark"] th.kv-x { color: #ff7b7b; } .kv[data-theme="dark"] th.kv-y { color: #51cf66; } .kv[data-theme="dark"] th.kv-z { color: #74b3ff; }
 .kv .kv-copy { padding: 1px 8px; min-height: 24px; font-size: 12px; font-weight: 400; }
 .kv-small { font-weight: 400; font-size: 12px; color: var(--quiet); }
-.kv-message { margin: 0; padding: 8px 14px; color: var(--warn); background: var(--warn-paper); border-top: 1px solid var(--edge); }
+/* addresses of files are long words */
+.kv-message { margin: 0; padding: 8px 14px; overflow-wrap: anywhere; color: var(--warn); background: var(--warn-paper); border-top: 1px solid var(--edge); }
 .kv-failed { color: #8a5a00; background: #fff8e6; border: 1px solid #d1d9e0; border-radius: 6px; padding: 8px 14px; }
 .kv-screen-reader { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; margin: 0; }
 .kv-cover { padding: 18px 20px; background: var(--card); border-left: 5px solid var(--accent); }

@@ -58,7 +58,7 @@ def read_meshes(
                 known[name] = f"{len(files)}{Path(name).suffix.lower()}"
                 files[known[name]] = content
             except (OSError, ValueError) as error:
-                why = str(error) if type(error) is ValueError else "it cannot be opened."
+                why = str(error) if type(error) is ValueError else "it could not be opened."
                 refused.setdefault(why, []).append(name[-200:])
         return known[name]
 
@@ -78,7 +78,10 @@ def read_meshes(
     notes = []
     for why, names in refused.items():
         listed = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
-        notes.append(f"{'A mesh is' if len(names) == 1 else f'{len(names)} meshes are'} not shown, {listed}: {why}")
+        if len(names) == 1:
+            notes.append(f"A mesh is not shown, {listed}: {why}")
+        else:
+            notes.append(f"{len(names)} meshes are not shown, {listed}: {re.sub('^it ', 'each ', why)}")
     return files, meshes, notes
 
 
@@ -103,6 +106,7 @@ def _places(name: str, folder: Path | None, packages: list[tuple[str, Path]]) ->
             (root, root / rest) for known, root in [*packages, *((at.name, at) for at in own)] if known == package
         )
         yield from ((root, root / package / rest) for root in [*roots, *above[:1]])
+        yield from ((root, root / rest) for root in own)  # a copy of a package often has another name
         return
     if scheme not in ("", "file"):
         raise ValueError("it is an address, and nothing is downloaded. Download it, and write its path.")
@@ -122,7 +126,7 @@ def _content(places: Sequence[tuple[Path, Path]], name: str, files: Mapping[str,
         if size > MAX_FILE_BYTES:
             raise ValueError(f"it has {size / 1e6:.0f} MB; at most {MAX_FILE_BYTES / 1e6:.0f} MB are read.")
         if size + sum(map(len, files.values())) > MAX_ALL_BYTES:
-            raise ValueError(f"the meshes before it have almost {MAX_ALL_BYTES / 1e6:.0f} MB, the most that is shown.")
+            raise ValueError(f"the meshes before have almost {MAX_ALL_BYTES / 1e6:.0f} MB, the most that is shown.")
         content = real.read_bytes()
         # The materials of an OBJ file are in a file beside it, and the page gets both as one.
         for material in re.findall(rb"^mtllib +(.+?)\s*$", content, re.MULTILINE)[:1]:
