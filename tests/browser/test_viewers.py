@@ -449,7 +449,7 @@ def test_the_slider_moves_along_its_curve_and_a_click_changes_to_the_other_curve
     viewer.label("place on the curve").focus()
     page.keyboard.press("ArrowRight")
     assert (viewer.get("variant"), viewer.get("at")) == (first, start + 1)
-    viewer.label("Curve").select_option(index=1)
+    viewer.label("Curve", exact=True).select_option(index=1)
     assert viewer.get("variant") == second
     rocker = [np.mean([stop["q"][2] for stop in variant["stops"]]) for variant in mode["variants"].values()]
     share = 0.95 if rocker[0] < rocker[1] else 0.05  # the height of the first curve on the map, from the top
@@ -497,20 +497,24 @@ def test_the_motions_move_the_frame_to_the_row_s_matrix_in_both_conventions(show
     """A motion is animated unless reduced motion is preferred."""
     viewer = show("row")
     assert not viewer.root.locator(".kv-toggles").is_visible()  # there are no layers, so there is no empty bar
-    starts = [np.reshape(arm["home"], (4, 4)) for arm in viewer.get("scene")["arms"]]
 
-    def carried(track):
-        return np.reshape(viewer.run("stage.tree.arms[x].tool.matrixWorld.elements", track), (4, 4)).T
+    def carried():
+        return np.reshape(viewer.run("stage.tree.arms[0].tool.matrixWorld.elements"), (4, 4)).T
 
     viewer.run("(window.seen = [], model.on('change:at', () => seen.push(model.get('at'))))")
     for _ in range(4):
         viewer.name("button", name="Next motion").click()
     assert viewer.run("seen") == [1, 2, 3, 4]
-    for k, convention in enumerate(["standard", "modified"]):
-        np.testing.assert_allclose(carried(k), starts[k] @ kl.dh_transform(*ROW, convention=convention), atol=1e-12)
+    for convention in ("modified", "standard"):
+        viewer.label("Convention", exact=True).select_option(convention)
+        np.testing.assert_allclose(carried(), kl.dh_transform(*ROW, convention=convention), atol=1e-12)
     viewer.name("button", name="One motion back").click()
-    expected = starts[0] @ kl.dh_transform(0.8, 0, 0.6, 1.4, convention="standard")
-    np.testing.assert_allclose(carried(0), expected, atol=1e-12)
+    expected = kl.dh_transform(0.8, 0, 0.6, 1.4, convention="standard")
+    np.testing.assert_allclose(carried(), expected, atol=1e-12)
+    viewer.set(at=2.5)  # on the way
+    expected = kl.dh_transform(0.4, 0, 0.6, 1.4, convention="standard")
+    np.testing.assert_allclose(carried(), expected, atol=1e-12)
+    viewer.set(at=3)
     assert "along the common normal" in viewer.root.locator(".kv-motion-text").first.inner_text()
     page.emulate_media(reduced_motion="no-preference")
     viewer.run("(seen.length = 0)")
