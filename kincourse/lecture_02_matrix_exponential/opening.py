@@ -29,7 +29,7 @@ def opening() -> Pictures:
     def draw(t: float) -> Picture:
         angle = max(0.0, t - 3) * RATE
         canvas = Canvas(around)
-        canvas.axis(PLACE, PLACE + 0.9 * AXIS, "$S$", width=2, level=4)
+        canvas.axis(PLACE, PLACE + 0.9 * AXIS, "$S$", width=2)
         for p, v in zip(grid, _velocity(S, grid), strict=True):
             canvas.arrow(p, p + ARROW_S * v, GREY, 1.3)
         if t > 2:

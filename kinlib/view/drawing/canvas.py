@@ -138,11 +138,11 @@ class Canvas:
         self._content.append(np.array([tail, tip, neck + across, neck - across]))
         self._strokes.append(np.array([[tail, tip]]))
 
-    def axis(self, start: ArrayLike, tip: ArrayLike, name: str = "", *, width: float = 1.5, level: float = 3.5) -> None:
+    def axis(self, start: Array, tip: Array, name: str = "", colour: str = VIOLET, width: float = 1.5) -> None:
         """Draw a joint axis: a dashed violet arrow in the positive direction, with its name at the tip."""
-        self.arrow(start, tip, VIOLET, width, style="--", level=level)
+        self.arrow(start, tip, colour, width, style="--", level=3.5)
         if name:
-            self.label(tip, name, VIOLET)
+            self.label(tip, name, colour)
 
     def body(self, corners: ArrayLike, colour: str, level: float = 3.0, edge: str = INK) -> None:
         """Draw the outline of a convex body, given points on its surface."""

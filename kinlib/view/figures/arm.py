@@ -202,10 +202,8 @@ def _draw_axes(canvas: Canvas, branch: Branch, frames: Array, name: str, colour:
     """Draw each axis as a dashed arrow through its joint, in the positive direction, labelled at its tip."""
     shown = zip(branch.columns, carried_axes(branch.chain, frames), frames[:, :3, 3], strict=True)
     for column, axis, point in list(shown)[branch.shared :]:
-        tip = point + 0.3 * canvas.size * axis
-        canvas.arrow(point - 0.16 * canvas.size * axis, tip, colour, 1.5, style="--", level=3.5)
-        if name:
-            canvas.label(tip, f"${name}_{column + 1}$", colour)
+        low, high = point - 0.16 * canvas.size * axis, point + 0.3 * canvas.size * axis
+        canvas.axis(low, high, name and f"${name}_{column + 1}$", colour)
 
 
 def direction_text(axis: Array) -> str:

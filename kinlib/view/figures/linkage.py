@@ -44,11 +44,6 @@ class LinkageGeometry:
         """All points that are drawn, (m, 3)."""
         return np.concatenate([self.first, self.second])
 
-    @property
-    def gap(self) -> Array:
-        """The distance between the two halves of each joint, (j,)."""
-        return np.asarray(np.linalg.norm(self.first - self.second, axis=1))
-
 
 def linkage_geometry(mechanism: Mechanism, q: JointValues) -> LinkageGeometry:
     """Compute where joints and bodies are in a configuration (n,)."""
@@ -126,10 +121,10 @@ def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry, ghost: Lin
         f"{joint.name} joins {' and '.join(joint.bodies)} at {vector_text(place[shown])}"
         for joint, place in zip(mechanism.joints, geometry.first, strict=True)
     ]
-    widest = int(np.argmax(geometry.gap))
-    closed = "It is closed."
-    if geometry.gap[widest] > GAP_TOL_M:
-        closed = f"It is open: at {mechanism.joints[widest].name} a gap of {geometry.gap[widest]:.2g} is left."
+    gaps = np.linalg.norm(geometry.first - geometry.second, axis=1)
+    widest, closed = int(np.argmax(gaps)), "It is closed."
+    if gaps[widest] > GAP_TOL_M:
+        closed = f"It is open: at {mechanism.joints[widest].name} a gap of {gaps[widest]:.2g} is left."
     if ghost is not None:
         places = zip(mechanism.joints, ghost.first, strict=True)
         closed += f" In grey: {', '.join(f'{joint.name} at {vector_text(place[shown])}' for joint, place in places)}."

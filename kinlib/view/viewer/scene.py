@@ -16,7 +16,7 @@ from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.canvas import VIEWS, view_axes
 from kinlib.view.figures.bodies import solid_data
 from kinlib.view.figures.branches import Branch, branches, joint_share, robot_body
-from kinlib.view.figures.joint_bodies import are_near, arm_size, axial_offsets, body_motions, carried_axes, stations
+from kinlib.view.figures.joint_bodies import are_near, arm_size, axial_offsets, body_motions, stations
 from kinlib.view.figures.parts import ranks
 
 MIN_SIZE_IN_ROOM_RADII = 0.95
@@ -55,16 +55,12 @@ def scene(
     titles = robot.joint_names or [""] * robot.n
     body, by_rule = robot_body(found)
     size = arm_size(*(branch.chain for branch in found))
-    seen = [body.extent(np.concatenate([branch.motions(start) for branch in found])), 0.2 * size * np.eye(3)]
-    for branch in found:
-        poses, tool = (f(branch.values(start)) for f in (branch.chain.link_poses, branch.chain.fk))
-        axes = carried_axes(branch.chain, poses)
-        seen += [stations(branch.chain), branch.stations(start), poses[:, :3, 3] + 0.36 * size * axes]
-        seen.append(tool[:3, 3] + 0.2 * size * tool[:3, :3].T)
+    seen = [body.extent(np.concatenate([branch.motions(start) for branch in found])), np.zeros((1, 3))]
+    seen += [branch.stations(q) for branch in found for q in (start, np.zeros(robot.n))]
     given = frames_on_links(robot, start, frames) if frames and isinstance(robot, Chain) else {}
-    for T in map(np.asarray, frames.values() if given and frames else ()):
-        seen += [T[:3, 3] + 0.3 * size * np.vstack([T[:3, :3].T, np.zeros(3)])] if are_near(T[:3, 3], size) else []
-    region = room(np.concatenate(seen), 0.1 * size)  # a margin for labels
+    places = np.reshape([np.asarray(T)[:3, 3] for T in (frames or {}).values()], (-1, 3))
+    seen.append(places[are_near(places, size)])
+    region = room(np.concatenate(seen), 0.3 * size)  # a margin for axes and labels
     solids, arms = iter(solid_data(body.links)), []
     for branch, rule in zip(found, by_rule, strict=True):
         arms.append(arm_data(branch) | {"body": [next(solids) for _ in rule], "rule": rule})

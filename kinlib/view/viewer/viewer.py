@@ -22,7 +22,7 @@ from kinlib.view.figures.arm import ARM_LAYERS, draw_arm
 from kinlib.view.figures.branches import branches, joint_share
 from kinlib.view.figures.joint_bodies import body_motions
 from kinlib.view.viewer.meshes import Packages, read_meshes
-from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, scene
+from kinlib.view.viewer.scene import LAYERS, scene
 from kinlib.view.viewer.widget import STATIC, Covered
 
 
@@ -178,8 +178,8 @@ def explore(
              tree. Afterwards `q` is synchronized with the page
     frames   {"0": T_00, "1": T_01, ...} frames on the links of an arm, which the reader switches on one by one; poses (4, 4) in {s}
              at `start`. Frame i is fixed to link i and moves with it; frames beyond the last link are fixed to that one. A name
-             with a prime, "1'", is a second frame on the same link, in grey. They replace {s}, {b} and the DH frames. The first
-             one is shown at the beginning, or those in show: "frame 1"
+             with a prime, "1'", is a second frame on the same link, in grey. They replace {s}, {b} and the DH frames. Their
+             layers are "frame 0", "frame 1", ...; the first one is shown by default
     packages a folder or folders of packages, or {name: folder}, in which the meshes of a tree are looked for; its own package and
              those of the environment variables of ROS are found without it. What is not found is said, and drawn by rule
     visuals  the file of which an arm is a part, as a tree, and the name of the link whose frame is {s}: the arm looks as the file says
@@ -196,11 +196,8 @@ def explore(
     home = opening(robot) if start is None else validation.single(robot.in_order(start), "q")
     found = branches(robot, visuals)
     usual = ["axes", "base", "tool"] if joint_share(found) == 1 else ["base"]
+    usual = ["axes", f"frame {next(iter(frames))}"] if frames else usual
     layers = usual if show is None else list(show)
-    if frames:
-        layers = [layer for layer in layers if layer not in FRAME_LAYERS]
-        named = any(f"frame {name}" in layers for name in frames)
-        layers += [] if named else [f"frame {next(iter(frames))}"]
     whole = scene(robot, found, home, joints=joints, frames=frames)
     file = visuals[0] if visuals else robot if isinstance(robot, Tree) else None
     files, meshes, notes = read_meshes([branch.links for branch in found], file.folder if file else None, packages)
