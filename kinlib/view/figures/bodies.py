@@ -282,10 +282,7 @@ class _Builder:
         """Return a configuration within the limits that is not stretched out."""
         angles = [(0.35, -0.5, 0.6)[i % 3] for i in range(self.chain.n)]
         q = np.where(self.slides, 0.25 * self.sleeve, angles)
-        if self.chain.limits is None:
-            return q
-        low, high = np.asarray(self.chain.limits, dtype=float).T
-        return np.clip(q, low, high)
+        return q if self.chain.limits is None else np.clip(q, *self.chain.limits.T)
 
     def _separate(self) -> None:
         """Move drums along their axes, and sleeves anywhere, so that joints that share a point are apart: from the tool back."""

@@ -60,7 +60,7 @@ def scene(
     given = frames_on_links(robot, start, frames) if frames and isinstance(robot, Chain) else {}
     places = np.reshape([np.asarray(T)[:3, 3] for T in (frames or {}).values()], (-1, 3))
     seen.append(places[are_near(places, size)])
-    region = room(np.concatenate(seen), 0.3 * size)  # a margin for axes and labels
+    region = room(np.concatenate(seen), 0.2 * size)  # a margin for axes and labels
     solids, arms = iter(solid_data(body.links)), []
     for branch, rule in zip(found, by_rule, strict=True):
         arms.append(arm_data(branch) | {"body": [next(solids) for _ in rule], "rule": rule})
@@ -78,9 +78,7 @@ def scene(
             for k in (joint - 1 for joint in joints)
         ],
         # JSON has no infinity
-        "limits": [[end if np.isfinite(end) else None for end in pair] for pair in limits.tolist()]
-        if robot.limits is not None
-        else [],
+        "limits": [] if robot.limits is None else np.where(np.isfinite(limits), limits, np.array(None)).tolist(),
         "room": region,
         "floor": body.lowest,
         **({"offered": ["axes", "dimensions"]} if isinstance(robot, Tree) else {}),
