@@ -33,7 +33,8 @@ def draw_axis_relation(
 ) -> Picture:
     """Draw two axes, each given by a unit direction and the point of its joint, and the common normal from first to second.
 
-    film  whether it is a picture of a film about a vertical axis and one that moves beside it: all of them have the same scale
+    film  whether it is a picture of a film about a vertical axis and one that moves beside it: all of them have the same scale,
+          and they leave out x, for which the films ask
 
     Of parallel axes some more of their common normals are drawn dotted; of coincident axes, a circle of directions.
 
@@ -60,10 +61,11 @@ def draw_axis_relation(
         circle = around_axis(z, 0.3 * size, np.linspace(0, 2 * np.pi, 40))
         canvas.line(normal.start + circle, GREY, 1.4, ":", level=2.5)
     is_far = film and max(abs(normal.start[2]), abs(normal.end[2])) > FARTHEST_FOOT_M
-    if not is_far:
-        canvas.line([normal.start, normal.end], ORANGE, 3.0, level=3.2)
+    if not film:
         canvas.arrow(normal.end, tip, ORANGE, 2.2, level=4)
         canvas.label(tip, "$x$", ORANGE, size=12)
+    if not is_far:
+        canvas.line([normal.start, normal.end], ORANGE, 3.0, level=3.2)
         for foot in (normal.start, normal.end):
             canvas.dot(foot, INK, 7)
     axes = [f"along {direction_text(along)} through {vector_text(place)}" for along, place in (one, other)]
@@ -72,6 +74,6 @@ def draw_axis_relation(
     drawn = "It is outside of the picture, and leads" if is_far else "The one that is drawn leads"
     return canvas.picture(
         f"Axis 1 {axes[0]}, axis 2 {axes[1]}. They are {RELATIONS[normal.case]}. {drawn} "
-        f"{ways}, and its x points along {direction_text(normal.x)}.",
+        f"{ways}{'' if film else f', and its x points along {direction_text(normal.x)}'}.",
         "" if film else RELATIONS[normal.case],
     )
