@@ -98,7 +98,8 @@ def draw_linkage(
     shade = None if ghost is None else linkage_geometry(mechanism, ghost)
     drawn = [geometry.all] if shade is None else [geometry.all, shade.all]
     seen = np.reshape(np.concatenate(drawn) if around is None else np.asarray(around, dtype=float), (-1, 3))
-    canvas = Canvas(seen, "top" if is_planar(mechanism) else "default")
+    # No axis or frame extends beyond the joints, so the margin can be smaller.
+    canvas = Canvas(0.75 * seen + 0.25 * seen.mean(axis=0), "top" if is_planar(mechanism) else "default")
     body = linkage_body(mechanism, mechanism.in_order(q)[None])
     canvas.floor(seen, height=body.lowest)
     for T, (name, ends) in zip(shade.poses, body_points(mechanism).items(), strict=True) if shade else ():
