@@ -11,14 +11,12 @@ from kinlib.view import slide
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, LINK_GREY, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Gallery, Picture, vector_text
-from kinlib.view.figures.arm import direction_text
+from kinlib.view.figures.arm import JOINT_KINDS, direction_text
 from kinlib.view.figures.frames import draw_table
-from kinlib.view.figures.joint_bodies import draw_joint_body
+from kinlib.view.figures.joint_bodies import draw_joint_body, stations
 from kinlib.view.viewer.pictures import Pictures
 
 X, Y, Z = np.eye(3)
-
-KINDS = {"R": "revolute", "P": "prismatic"}
 
 
 def draw_last_frames() -> Gallery:
@@ -64,9 +62,9 @@ def draw_last_frame(joint: str, d: float, a: float = 0.0) -> Picture:
     numbers = f"a = {format_number(a, 3)}{' m' if a else ''}, alpha = 0, d = {format_number(d, 3)} m"
     motion = "θ_n = q_n" if joint == "R" else "d_n = q_n"
     return canvas.picture(
-        f"Joint n, {KINDS[joint]}, along z. Frame n is at {vector_text(end)}, its z along {direction_text(T[:3, 2])}, its x along "
+        f"Joint n, {JOINT_KINDS[joint]}, along z. Frame n is at {vector_text(end)}, its z along {direction_text(T[:3, 2])}, its x along "
         f"{direction_text(T[:3, 0])}. Row n: {numbers}.",
-        f"{KINDS[joint]}, {motion}; " + ("frame n beside the axis" if a else "frame n on the axis"),
+        f"{JOINT_KINDS[joint]}, {motion}; " + ("frame n beside the axis" if a else "frame n on the axis"),
     )
 
 
@@ -90,8 +88,7 @@ def slide_offset(table: DHTable, row: int, degrees: Sequence[float], *, after: A
 
     q = np.zeros(table.n)
     tables = [with_offset(angle) for angle in degrees]
-    chains = [other.to_chain() for other in tables]
-    points = np.concatenate([[np.zeros(3), arm.fk(q)[:3, 3], *arm.link_poses(q)[:, :3, 3]] for arm in chains])
+    points = np.concatenate([stations(other.to_chain(), q) for other in tables])
     directions = [direction_text(other.fk(q)[:3, 2]) for other in tables]
     pictures = [
         draw_table(other, around=points, caption=f"q = 0. The z axis of the end-effector points along {z}.")

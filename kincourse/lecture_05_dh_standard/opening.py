@@ -14,8 +14,7 @@ def opening() -> Pictures:
     def draw(t: float) -> Picture:
         tilt = np.radians(70 - 40 * share(t, 2, 5))
         side = 0.9 - 0.9 * share(t, 10, 12) + 0.6 * share(t, 13, 14.5)
-        turn = np.radians(-40) * (share(t, 5.7, 8.7) - share(t, 9.8, 11.8))
-        R = exp((0, 0, turn))
+        R = exp((0, 0, np.radians(-40) * (share(t, 5.7, 8.7) - share(t, 9.8, 11.8))))
         second = R @ (0, np.sin(tilt), np.cos(tilt)), R @ (side, 0.4, 0.5)
         return draw_axis_relation(((0, 0, 1), (0, 0, 0)), second, film=True)
 

@@ -12,8 +12,7 @@ def opening() -> Pictures:
 
     def draw(t: float) -> Picture:
         tilt = np.radians(75 - 63 * share(t, 3, 8) - 12 * share(t, 9.5, 10.5))
-        second = (0, np.sin(tilt), np.cos(tilt)), (0.8, 0.4, 0.5)
-        return draw_axis_relation(((0, 0, 1), (0, 0, 0)), second, film=True)
+        return draw_axis_relation(((0, 0, 1), (0, 0, 0)), ((0, np.sin(tilt), np.cos(tilt)), (0.8, 0.4, 0.5)), film=True)
 
     return film(
         draw,
