@@ -66,8 +66,6 @@ def read_entry(cell: str, column: str, names: Mapping[str, Entry]) -> Entry:
     Raises ValueError for anything else.
     """
     text = re.sub(r"[\\{}]|\(\s*var\w*\.?\s*\)|\*$", "", cell.strip(" \r\"'`*")).strip()
-    for bracket, other in ("()", ")("):  # of a call or a tuple around several cells
-        text = text.strip(bracket).strip() if text.count(bracket) > text.count(other) else text
     if text in {"", "-", "/", "n.a.", "n/a", "None", "none"}:
         return Entry(0j)
     text = re.sub(r"(?i)^(?:var\w*|joint\w*|theta_?[ijkn]?|q_?[ijkn]?|d_?[ijkn])$", "q", text)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from kinlib.arrays.validation import describe
-from kinlib.dh.reading.columns import Assumption
+from kinlib.dh.reading.grid import Assumption
 from kinlib.dh.table import Convention, DHTable
 from kinlib.dh.table_text import read_rows
 
@@ -51,11 +51,9 @@ def read_table(
     read = read_rows(text, strict=False, lengths={}, joints=joints, order=order, **units)
     assumed = [*read.assumed]
     if convention is None:
-        words = f"The convention is {read.convention}, as the text says."
+        words = f"The convention is {read.convention}, as the {'index i of a and alpha suggests' if read.suggests else 'text says'}."
         if read.convention is None:
             words = "The text does not say which convention: standard was taken."
-        elif read.suggests:
-            words = "The convention is standard, as the index i of a and alpha suggests."
         is_sure = read.convention and not read.suggests
         assumed.append(Assumption(words) if is_sure else Assumption(words, "convention", ("standard", "modified")))
     if not read.numbers[:, :3].any():

@@ -1,139 +1,162 @@
-"""Read the rows of a table from lines of cells, with a heading, without one, or with a heading at the beginning of each line."""
+"""Read the rows of a table from lines of cells, with a heading or without one."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from itertools import pairwise
 
 from kinlib.dh.parsing import COLUMNS, NUMBER, Entry
-from kinlib.dh.reading.columns import NEEDED, Grid, Heading, headings_in, parse_heading
-from kinlib.dh.reading.spelling import cells_of_line, rows_in_lines
+from kinlib.dh.reading.grid import ALL_COLUMNS, COLUMN_NAMES, NEEDED, Grid, Heading, parse_heading
 
-MAX_LINES, MAX_CELLS, MAX_ROWS = 2000, 40, 60
-"""The maximum number of lines of a text and of cells in a line that are read, and of rows of a table."""
+MAX_LINES, MAX_CELLS = 2000, 40
+"""The maximum number of lines of a text and of cells in a line that are read."""
+
+SEPARATORS = ("|", "\t", ";", ",", "  ", " ")
+"""What may separate the cells of all rows, the surest first."""
 
 UNNAMED = [Heading(str(place)) for place in range(len(COLUMNS))]
 """The headings of rows without a heading."""
 
+ARRAY = re.compile(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]{,999};|\([^()]*\),\s*\(")
+COMMENT = re.compile(r"\s*(?:#+|%+|//+|/\*|\(\*|['\"]{3})\s*")
+
+WORDS = re.compile(r"(?:[\s,;|]|\band\b|\bthen\b)+|(?<=[a-zA-Z])[\[({](?=\w+\s*,)")
+"""What is between the names of columns in a comment."""
+
+ONE_CELL = [
+    (r"(?i)\b(joint|link|axis|row|frame|j)[ _-](?=\d|i\b)", r"\1"), (r" +(?=[\[(](?:[a-zA-Z]+|°|i-1)[\])])", ""),
+    (r"(?i)\b(?:(?:link|joint) )?(length|offset|twist|angle)(?: (?:a|d|alpha|theta)\b)?", r"\1"),
+    (r" +([+*/]) +|(?<=[\w°)]) +(-) +(?=[\dpq(])", r"\1\2"), (r"(?<=\d) (?=(?:mm|cm|m|deg|rad)\b|°)", ""),
+]  # fmt: skip
+"""What is one cell where spaces separate the cells: Joint 1, alpha (deg), link length a, q1 + 90, 3 mm."""
+
 
 def read_lines(text: str, names: Mapping[str, Entry]) -> Grid:
-    """Read lines of cells, with a heading or without one: columns without a name have their places, from "0" on."""
-    grid, heads, read, is_after_gap, is_spreadsheet = Grid(names), [UNNAMED], list[list[str]](), False, False
-    for number, raw in enumerate(lines_of(rows_in_lines(text)), start=1):
-        line, place = cells_of_line(raw), f"Line {number}, {raw.strip()!r:.80}"
-        if not re.sub(r"[|\s:+=-]", "", line):
-            is_after_gap = True
-            continue
-        widths = {len(cells) for cells in read} if is_after_gap else set[int]()  # after a gap another table may follow
-        splits = [cells for cells in split_line(line) if not widths or len(cells) in widths]
-        if is_spreadsheet and "\t" in line and splits:  # it drops empty cells at the end
-            splits[0] += [""] * (len(heads[0]) - len(splits[0]))
-        if not (has_heading := heads != [UNNAMED]):
-            splits += [[cell for cell in cells if cell] for cells in splits[:1]]  # tabs may only align
-        is_prose = not read and bool(re.match(r"\s*(?:#|%|//)(?=.*(?:[a-zA-Z]{2,} ){3})", raw))
-        ways = [(cells, kind) for kind in heads for cells in splits] * (not is_prose)
-        fits = [(*way, row) for way in ways if (row := _row(*way, grid))]
-        found = [] if (has_heading and (read or fits)) else headings_in(raw, splits, not has_heading)
-        if found:  # above the rows, or below them
-            found.sort(key=lambda kind: {len(kind)} != {len(cells) for cells in read})
-            grid.rows = [_row(cells, found[0], grid) for cells in read if len(cells) == len(found[0])]
-            if len(grid.rows) < len(read):
-                grid.assume(f"What stands above the heading in line {number} was not read.")
-                grid.rows, grid.places, read = [], [], []
-            heads, is_spreadsheet = found, "\t" in raw
-            continue
-        if fits:
-            cells, kind, row = min(fits, key=lambda fit: len(fit[0]) != len(fit[1]))
-            heads = [kind]
-            read.append(cells)
-            grid.rows.append(row)
-            grid.places.append(place)
-        elif not is_prose and _is_end(place, line, splits, grid, is_after_gap=is_after_gap, has_heading=has_heading):
+    """Read lines of cells: of the separators, that which gives the most rows is taken."""
+    lines = [line.strip(" \r").rstrip(",") for line in _lines_of(text)]
+    lines = [line[:-1] if line.find(";") == len(line) - 1 else line for line in lines]
+    if len(lines) > MAX_LINES:
+        raise ValueError(f"A table must have at most {MAX_LINES} lines; the text has {len(lines)}.")
+    ways = {
+        k: found for k, line in enumerate(lines) if re.search("(?i)al|twist|psi", line) and (found := _headings(line))
+    }
+    grids = [
+        _read(lines, ways, separator, Grid(names)) for separator in SEPARATORS if separator in text or separator == "\t"
+    ]
+    return max(grids, key=lambda grid: (len(grid.rows), bool(grid.problem)))
+
+
+def _lines_of(text: str) -> list[str]:
+    """Return the lines of a text, in which each row of an array is one."""
+    if ARRAY.search(text):
+        text = re.sub(r"\n[ \t]*\n", "\n\0\n", text)
+        text = re.sub(r"(?:#|//|%)(?!.*(?:alpha|twist)).*|\.\.\.", "", text)
+        # A heading is above the row beside it, or below it if that is the last one.
+        text = re.sub(r"(?m)^(.*?)((?:#|//|%).*)$(?=(?s:.*)\n[ \t]*[\[{(])", r"\2\n\1", text)
+        text = re.sub(r"(#|//|%)", r"\n\1", text)
+        text = re.sub(r"[\[{(]((?:[^\[\]{}()]|\([^(),]*\))*)[\])}],?", _as_lines, text)
+        text = re.sub(r"\n\s*\n", "\n", text).replace("\0", "")
+    return text.splitlines()
+
+
+def _as_lines(group: re.Match[str]) -> str:
+    """Write what is between two brackets as lines, if it has the cells of a row."""
+    is_row = len(re.findall(r"[^\s,;]+", group[1])) >= len(NEEDED)
+    return "\n" + group[1].replace(";", "\n") + "\n" if is_row else group[0]
+
+
+def _read(lines: Sequence[str], ways: Mapping[int, list[list[Heading]]], separator: str, grid: Grid) -> Grid:
+    """Read the rows that this separator gives below the first heading that has some, or above it; all rows have one layout."""
+    ends = [*ways, len(lines)]
+    for start, end in [*pairwise(ends), (-1, ends[0])]:
+        block = [k for k in range(start + 1, end) if re.search(r"\w", lines[k]) and not COMMENT.match(lines[k])]
+        cells = {k: _split(lines[k], separator) for k in block}
+        heads = ways.get(start, ways.get(end, []))
+        if layout := _layout(cells.values(), heads, grid) or _layout(cells.values(), [UNNAMED], grid):
             break
-        is_after_gap = False
-    grid.units = {head.column: head.unit for head in heads[0] if head.unit}
-    grid.subscript = max(head.subscript for head in heads[0] if head.column in {*COLUMNS[:2], "0"})
+    else:
+        return grid
+    rows = {k: row for k, each in cells.items() if (row := _row(each, layout, grid))}
+    grid.rows, grid.places = [*rows.values()], [f"Line {k + 1}, {lines[k].strip()!r:.80}" for k in rows]
+    grid.units = {head.column: head.unit for head in layout if head.unit}
+    grid.subscript = max((head.subscript for head in layout if head.column in COLUMNS[:2]), default="")
+    if "" in lines[min(rows) : max(rows)]:
+        grid.assume("The rows below an empty line were read, too.")
+    columns = [head.column for head in layout]
+    has_r = start >= 0 and {"a", "alpha"} <= {*columns} and re.search(r"\br(?:_?\{?[ij])?\b", lines[start])
+    if has_r and abs(columns.index("a") - columns.index("alpha")) > 1:  # as in alpha, d, theta, r
+        grid.assume("The column r was read as a; some papers call d so.")
+    _tell_others(lines, rows, min(rows) if layout[-1] is UNNAMED[-1] else start, grid)
     return grid
 
 
-def _row(cells: list[str], heads: Sequence[Heading], grid: Grid) -> dict[str, str]:
-    """Return the cells of a row by column; the label of a row may have no heading. {} if the line is no row."""
-    is_number = cells[0].rstrip(".") in {str(len(grid.rows)), str(len(grid.rows) + 1)}  # counted from 0 or from 1
-    is_name = re.fullmatch(r"[A-Za-z]+\d+\.?", cells[0])
-    if len(cells) == len(heads) + 1 and (is_number or is_name or not grid.is_entry(cells[0])):
-        heads = [Heading(""), *heads]
-    named = [k for k, head in enumerate(heads) if head.column]
-    if len(cells) == named[-1] - named[0] + 1:  # without what has no name
-        heads = heads[named[0] : named[-1] + 1]
-    row = {
-        head.column or "label": cell
-        for head, cell in zip(heads, cells, strict=False)
-        if head.column or head is heads[0]
-    }
-    readable = [
-        name for name in {*row} - {"label", "type"} if grid.is_entry(row[name]) or (not row[name] and "0" not in row)
-    ]
-    enough = 4 if "0" in row else 3  # of cells with names, one that cannot be read is told with its column
-    if len(cells) != len(heads) or len(readable) < enough:
-        return {}
-    numbers = sum(map(grid.is_entry, cells)) - is_number
-    if (missing := sorted(NEEDED - {*row})) and "0" not in row and numbers >= len(COLUMNS):
-        raise ValueError(
-            f"The heading has no {' and no '.join(missing)}, but each row has {numbers} numbers. Name every column above the rows."
-        )
-    return row
+def _tell_others(lines: Sequence[str], rows: Collection[int], start: int, grid: Grid) -> None:
+    """Note the lines with numbers that were not read; between the rows from `start` on, and just below them, they are a problem."""
+    last, gap = max(rows), min([k for k in range(max(rows), len(lines)) if not lines[k].strip()], default=len(lines))
+    for k in sorted({*range(len(lines))} - {*rows}):
+        place, is_comment = f"Line {k + 1}, {lines[k].strip()!r:.80}", bool(COMMENT.match(lines[k]))
+        count = len(re.findall(rf"(?<![\w.])(?<![\w\]]\[)-?{NUMBER}", lines[k]))
+        is_row = count >= len(NEEDED) and "=" not in lines[k]
+        if count and not is_comment and (start < k < last or (last < k < gap and is_row)):
+            grid.problem = grid.problem or place
+        elif is_row or (count and k > last and not is_comment):
+            grid.assume(f"{'No rows were read from here on' if k > last else 'A line was not read'}: {place}.")
+            if k > last:
+                break
 
 
-def _is_end(
-    place: str, line: str, splits: list[list[str]], grid: Grid, *, is_after_gap: bool, has_heading: bool
-) -> bool:
-    """Whether a line that is no row ends the table; ValueError if it looks like a row."""
-    numbers = len(re.findall(rf"(?<![\w.])-?{NUMBER}", line))
-    is_number = not is_after_gap and re.fullmatch(rf"[+-]?{NUMBER}", line)
-    is_next = (
-        has_heading
-        and grid.rows
-        and (is_number or any(cells[0].rstrip(".") == str(len(grid.rows) + 1) for cells in splits))
-    )
-    if grid.rows and not is_next and (is_after_gap or (numbers and "=" in line) or 0 < numbers < 3):
-        grid.assume(f"No rows were read from here on: {place}.")
-        return True
-    if is_next or (numbers >= 3 and (has_heading or grid.rows)):
-        raise ValueError(
-            f"{place} cannot be read: it has another number of cells than the heading, or one is no number. Is one empty?"
-        )
-    if numbers >= len(COLUMNS):
-        grid.assume(f"{place} was not read.")
-    return False
+def _headings(line: str) -> list[list[Heading]]:
+    """Return the ways of reading a line as headings of at least three columns, those of most: all its cells, and only the named ones.
+
+    In a comment the names have nothing between them.
+    """
+    comment, ways, most = COMMENT.match(line), list[list[Heading]](), len(NEEDED)
+    line = line[comment.end() :] if comment else line
+    for cells in [*(_split(line, sign) for sign in SEPARATORS if sign in line), WORDS.split(line)[:MAX_CELLS]]:
+        heads = [parse_heading(cell) for cell in cells]
+        if "d" not in {head.column for head in heads}:
+            heads = [head._replace(column="d") if head.column == "offset" else head for head in heads]
+        places = [k for k, head in enumerate(heads) if head.column in ALL_COLUMNS]
+        if len(places) < most or len({heads[k].column for k in places}) < len(places):
+            continue
+        named = heads[places[0] : places[-1] + 1]
+        if not comment or len(named) == len(places):
+            heads[0] = heads[0] if heads[0].column else Heading("label")
+            alone = [named] if comment or len(heads) - len(named) < len(NEEDED) else []
+            ways, most = [*(ways if len(places) == most else []), heads, *alone], len(places)
+    return ways
 
 
-def lines_of(text: str) -> list[str]:
-    """Return the lines of a text, also if each cell is in a line of its own, as copied from a PDF."""
-    if len(lines := text.splitlines()) > MAX_LINES:
-        raise ValueError(f"A table must have at most {MAX_ROWS} rows; the text has {len(lines)} lines.")
-    cells = [line.strip() for line in lines if line.strip()]
-    width = next((k for k, cell in enumerate(cells[:8]) if re.fullmatch(NUMBER, cell)), 0)
-    heads = {parse_heading(cell).column for cell in cells[:width]}
-    if not heads >= {*COLUMNS} or len(cells) % width or "|" in text or "\t" in text:
-        return lines
-    return ["\t".join(cells[k : k + width]) for k in range(0, len(cells), width)]
+def _layout(lines: Collection[list[str]], ways: Sequence[list[Heading]], grid: Grid) -> list[Heading]:
+    """Return the headings of the first line that is a row; one for its label is added if it has none. [] if no line is a row."""
+    for cells in lines:
+        for heads in ways:
+            for layout in [heads, [Heading("label"), *heads]][: 1 + (heads[0].column != "label")]:
+                if _row(cells, layout, grid):
+                    return layout
+    return []
 
 
-def split_line(line: str) -> list[list[str]]:
-    """Split a line into cells at the separators that it may have, the surest first."""
-    if separator := next((sign for sign in "|\t;" if sign in line), ""):
-        line = re.sub(r"(?<=\S) {2,}(?=\S)", "\t", line) if separator == "\t" else line  # code may align by both
-        cells = (re.sub(r"^\||\|$", "", line.strip()) if separator == "|" else line).split(separator)
-        return [[_cell(cell, decimal_comma=True) for cell in cells[:MAX_CELLS]]]
-    found = []
-    spaced = re.sub(r"\s+([+*/])\s+|\s*([*/])\s*|(?<=[\w°)])\s+(-)\s+(?=\d|pi)", lambda f: f[1] or f[2] or f[3], line)
-    has_decimal_commas = re.fullmatch(r"(?:\S*\d,\d\S*|[^,\s]+)(?:\s+(?:\S*\d,\d\S*|[^,\s]+))*", line)
-    if ("," in line and not has_decimal_commas) or (line.count(",") >= 3 and " " not in spaced):
-        found.append([_cell(cell) for cell in line.split(",")[:MAX_CELLS]])
-    # a space before a minus is enough after a number or a label: "1 -0.2", where "1 - 0.2" is a difference
-    wide = re.sub(rf"(^\s*(?!theta|[qdt]_?\d)[A-Za-z]+\d+|{NUMBER})\s(?=-{NUMBER})", r"\1  ", spaced)
-    splits = (re.split(pattern, wide)[:MAX_CELLS] for pattern in (r"\s{2,}", r"\s+"))
-    return found + [[_cell(cell, decimal_comma=True) for cell in cells] for cells in splits]
+def _row(cells: list[str], layout: Sequence[Heading], grid: Grid) -> dict[str, str]:
+    """Return the cells of a row by column; {} if the line is none, because it has other cells."""
+    row = {head.column: cell for head, cell in zip(layout, cells, strict=False) if head.column}
+    label, (empty, least) = row.get("label", ""), ("", 4) if "0" in row else ("0", 3)
+    is_label = re.fullmatch(r"\d{1,2}\.?|[A-Za-z]+\d+\.?", label) or not grid.is_entry(label)
+    is_label = is_label and label.lower() not in COLUMN_NAMES  # then rows and columns are swapped
+    readable = [name for name, cell in row.items() if name not in {"label", "type"} and grid.is_entry(cell or empty)]
+    return row if len(cells) == len(layout) and is_label and len(readable) >= least else {}
 
 
-def _cell(cell: str, decimal_comma: bool = False) -> str:
-    cell = re.sub(r"^(?:a|d|l|alpha)_?\d+\s*=\s*", "", cell.strip().strip("\"'`*").strip())
-    return re.sub(r"(?<=\d),(?=\d)", ".", re.sub(r",(?=\d{3}\.)", "", cell)) if decimal_comma else cell
+def _split(line: str, separator: str) -> list[str]:
+    """Split a line into cells."""
+    if separator == "|":
+        line = re.sub(r"^\||\|$", "", line)
+    elif separator == "\t":
+        line = re.sub(r"(?<=\S) {2,}(?=\S)", "\t", line)  # code may align by both
+    elif separator == " ":
+        for pattern, joined in ONE_CELL:
+            line = re.sub(pattern, joined, line)
+    cells = re.split(separator.replace("|", r"\|") + "+" * (separator[0] == " "), line)[:MAX_CELLS]
+    cells = [re.sub(r"^[a-zA-Z]+_?\d+\s*=\s*", "", cell.strip().strip("\"'`*").strip()) for cell in cells]
+    if separator != ",":
+        cells = [re.sub(r"(?<=\d),(?=\d)", ".", re.sub(r",(?=\d{3}\.)", "", cell)) for cell in cells]
+    return cells
