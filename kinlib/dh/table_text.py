@@ -98,9 +98,9 @@ def read_rows(
         numbers *= _units(grid, entries, argument, given, sentence, default * strict)
     if strict and grid.assumed:
         raise ValueError(f"A DHTable takes only what its rows say; kl.read_table assumes: {grid.assumed[0].text}")
-    if "?" in letters:
-        fixed = ", ".join(str(k) for k, letter in enumerate(letters, start=1) if letter == "?")
-        grid.assume(f"No variable is in row {fixed}: it was read as fixed, without a joint.")
+    if fixed := [str(k) for k, letter in enumerate(letters, start=1) if letter == "?"]:
+        words = "Row {} has no variable: it was" if len(fixed) == 1 else "Rows {} have no variable: they were"
+        grid.assume(f"{words.format(', '.join(fixed))} read as fixed, without a joint.")
     said: set[Convention] = {name for name, pattern in CONVENTIONS.items() if re.search(pattern, plain)}
     suggests = grid.subscript == "i" and "standard" not in said
     by_index: Mapping[str, Convention] = {"i": "standard", "i-1": "modified"}

@@ -26,13 +26,14 @@ ONE_CELL = [
     (r"(?i)\b(joint|link|axis|row|frame|j)[ _-](?=\d|i\b)", r"\1"), (r" +(?=[\[(](?:[a-zA-Z]+|°|i-1)[\])])", ""),
     (r"(?i)\b(?:(?:link|joint) )?(length|offset|twist|angle)(?: (?:a|d|alpha|theta)\b)?", r"\1"),
     (r" +([+*/]) +|(?<=[\w°)]) +(-) +(?=[\dpq(])", r"\1\2"), (r"(?<=\d) (?=(?:mm|cm|m|deg|rad)\b|°)", ""),
+    (r"(?<=[\d°]) *~ *(?=[-+]?\d)", "~"),
 ]  # fmt: skip
-"""What is one cell where spaces separate the cells: Joint 1, alpha (deg), link length a, q1 + 90, 3 mm."""
+"""What is one cell where spaces separate the cells: Joint 1, alpha (deg), link length a, q1 + 90, 3 mm, -170 ~ 170."""
 
 
 def read_lines(text: str, names: Mapping[str, Entry]) -> Grid:
     """Read lines of cells: of the separators, that which gives the most rows is taken."""
-    lines = [line.strip(" \r").rstrip(",") for line in _lines_of(text)]
+    lines = [line.strip(" \r").rstrip(",") for line in _side_by_side(_lines_of(text))]
     lines = [line[:-1] if line.find(";") == len(line) - 1 else line for line in lines]
     if len(lines) > MAX_LINES:
         raise ValueError(f"A table must have at most {MAX_LINES} lines; the text has {len(lines)}.")
@@ -58,6 +59,15 @@ def _lines_of(text: str) -> list[str]:
     return text.splitlines()
 
 
+def _side_by_side(lines: Sequence[str]) -> Sequence[str]:
+    """Write cells that are below each other, as copied from a PDF, in lines."""
+    cells = [line.strip() for line in lines if line.strip()]
+    width = next((k for k, cell in enumerate(cells[:9]) if re.fullmatch(NUMBER, cell)), 0)
+    if not {*COLUMNS} <= {parse_heading(cell).column for cell in cells[:width]} or len(cells) % width:
+        return lines
+    return ["\t".join(cells[k : k + width]) for k in range(0, len(cells), width)]
+
+
 def _as_lines(group: re.Match[str]) -> str:
     """Write what is between two brackets as lines, if it has the cells of a row."""
     is_row = len(re.findall(r"[^\s,;]+", group[1])) >= len(NEEDED)
@@ -69,8 +79,10 @@ def _read(lines: Sequence[str], ways: Mapping[int, list[list[Heading]]], separat
     ends = [*ways, len(lines)]
     for start, end in [*pairwise(ends), (-1, ends[0])]:
         block = [k for k in range(start + 1, end) if re.search(r"\w", lines[k]) and not COMMENT.match(lines[k])]
-        cells = {k: _split(lines[k], separator) for k in block}
         heads = ways.get(start, ways.get(end, []))
+        cells = {k: _split(lines[k], separator) for k in block}
+        if separator == "\t" and heads:  # a spreadsheet leaves out empty cells at the end
+            cells = {k: each + [""] * (len(heads[0]) - len(each)) * ("\t" in lines[k]) for k, each in cells.items()}
         if layout := _layout(cells.values(), heads, grid) or _layout(cells.values(), [UNNAMED], grid):
             break
     else:

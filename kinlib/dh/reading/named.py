@@ -21,6 +21,9 @@ LINK = re.compile(r"(?!.*(?:Robot|SerialLink|OriginLink|DHTable|::))(?:.*\W)?\w*
 LIST = re.compile(r"['\"]?\b([a-zA-Z][\w.]*)['\"]?(?:\[\d*\])?[ \t]*[=:]\s*(?:\w+\.\w+\()?[\[{]([^\[\]{}]*)[\]}]")
 """A column as a list, a = [0, 0.4]."""
 
+INDEXED = re.compile(r"\b([a-zA-Z]+(?:_[a-zA-Z]+)*)_?(\d{1,2})['\"]?\s*[=:](?![ \t]*[\[{])[ \t]*([^,;\n}]*)")
+"""An entry with the number of its row, d1 = 0.3."""
+
 
 def definitions(text: str) -> dict[str, Entry]:
     """Read the values of names, l1 = 0.3 or d1 = 89.2 mm, that a text has; a name with two values has none.
@@ -100,9 +103,10 @@ def _link(kind: str, inside: str, row: dict[str, str], grid: Grid, place: str) -
 
 
 def read_columns(text: str, names: Mapping[str, Entry]) -> Grid:
-    """Read lists by column, a = [0, -0.425]."""
-    grid, columns = Grid(names), dict[str, list[str]]()
-    for name, inside in LIST.findall(text):
+    """Read lists by column, a = [0, -0.425], or entries with the numbers of their rows, d1 = 0.3."""
+    grid = Grid(names)
+    columns = _by_number(text, grid)
+    for name, inside in LIST.findall(text) if not columns else ():
         heading, sign = parse_heading(name), "[,;]" if re.search("[,;]", inside) else r"\s+"
         cells = [cell.strip() for cell in re.split(sign, inside.strip().rstrip(",;"))]
         if heading.column in ALL_COLUMNS and all(map(grid.is_entry, cells)):
@@ -118,3 +122,22 @@ def read_columns(text: str, names: Mapping[str, Entry]) -> Grid:
     grid.rows = [dict(zip(columns, cells, strict=True)) for cells in zip(*columns.values(), strict=True)]
     grid.places = [f"Entry {k + 1} of the lists" for k in range(len(grid.rows))]
     return grid
+
+
+def _by_number(text: str, grid: Grid) -> dict[str, list[str]]:
+    """Return the columns of entries with numbers; {} if there are none."""
+    found = dict[str, dict[int, str]]()
+    for name, number, value in INDEXED.findall(text):
+        if (column := parse_heading(name).column) in ALL_COLUMNS:
+            found.setdefault(column, {})[int(number)] = value.strip()
+    if not {*found} >= NEEDED:
+        return {}
+    if min(*found["a"], *found["alpha"]) < min(found["d"]) == 1:  # a_0 and alpha_0, but d_1
+        grid.subscript = "i-1"
+        for column in ("a", "alpha"):
+            found[column] = {k + 1: value for k, value in found[column].items()}
+    indices = sorted({k for cells in found.values() for k in cells})
+    if joints := [k for k in indices if k not in found.get("theta", indices)]:
+        grid.assume(f"There is no theta{joints[0]}: each theta without a value was read as the joint variable.")
+        found["theta"] |= {k: f"q{k}" for k in joints}
+    return {column: [cells.get(k, "") for k in indices] for column, cells in found.items()}

@@ -46,6 +46,9 @@ FORMS = {
     "4\t\t90\t0.10915\tq4\n5\t\t-90\t0.09465\tq5\n6\t\t\t0.0823\tq6",
     "a wiki": lines("{{| class='wikitable'\n! i !! θ !! d !! a !! α".replace("{{", "{"),
                     "|-\n| {i} || 0° || {d} || {a} || {deg}°", "|}"),
+    "empty cells at the end": "i\ta\talpha\td\n1\t\t90\t0.089159\n2\t-0.425\n3\t-0.39225"
+    "\n4\t\t90\t0.10915\n5\t\t-90\t0.09465\n6\t\t\t0.0823",
+    "cells below each other": lines("Link\na\nα (deg)\nd\nθ", "{i}\n{a}\n{deg}\n{d}\n0"),
     "variables with a star": lines("# theta d a alpha", "{i} θ{i}* {d} {a} {deg}°"),
     "arrays of C": "\n".join(f"const double DH_{name}[6] = {{{', '.join(str(row[k]) for row in ROWS)}}};"
                              for k, name in enumerate(("A", "ALPHA", "D"))),
@@ -127,7 +130,6 @@ def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():
         ("1 90 0.3 0\n2 0 0 0.2", "The first column only counts the rows"),
         ("Link('d', 0,3, 'a', 0)\nLink('d', 0, 'a', 0,4)", "each name must have one value, with a decimal point"),
         ("RevoluteDH(d=length[0])\nRevoluteDH(a=length[1])", "Row 1, .*, d: an entry must be a number"),
-        ("s = {alpha0: 0, a0: 0, d1: 0.3, alpha1: 0, a1: 0.4, d2: 0}", "No table was found"),
         ("a1 = 0; alpha1 = pi/2; d1 = 0.3 * SCALE\na2 = 1; alpha2 = 0; d2 = 0", "0.3 [*] SCALE"),
         ("L1 = 0.3 * SCALE\na | alpha | d | theta\n0 | 0 | L1 | q1\n1 | 0 | 0 | q2", "If L1 is the joint variable"),
     ],
@@ -138,6 +140,8 @@ def test_what_cannot_be_read_is_refused_with_its_place(text, words):
 
 
 SAME_ARM = {
+    "symbols": "s = {alpha1: pi/2, a1: 0, d1: 0.3,\n alpha2: 0, a2: 0.4, d2: 0, q2: q2 + pi/2,\n alpha3: 0, a3: 0.2, d3: 0}",
+    "ranges behind the rows": "Joint i θi di ai αi Range\n1 0 0.3 0 π/2 −170 ~ +170\n2 π/2 0 0.4 0 −100° ~ +130°\n3 0 0 0.2 0 −90 ~ 90",
     "names in cells": "a | alpha | d | theta\n0 | pi/2 | d1=0.3 | q1\na2 = 0.4 | 0 | 0 | q2 + pi/2\n0.2 | 0 | 0 | q3",
     "words": "$d_{bs} = 300$ mm, L = 0.4 m\na & alpha & d & theta \\\\\n0 & 90° & $d_{bs}$ & q1 \\\\\nL & 0 & 0 & q2 + 90° \\\\\n"
     "0.2 & 0 & 0 & q3",
