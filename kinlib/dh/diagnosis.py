@@ -17,32 +17,28 @@ import numpy as np
 
 from kinlib.arrays import validation
 from kinlib.arrays.formatting import format_number
-from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD, ROUNDING_ERROR, TYPED_PI_ERROR
+from kinlib.arrays.tolerances import EQUIVALENCE_TOL, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.alignment import neighbours
 from kinlib.dh.equivalence import CHOICES, NEARLY_PARALLEL_LOSS, Equivalence, equivalent, measured_difference
 from kinlib.dh.explanation.rounding import (
     nearest_table,
     rounding_effect,
-    rounds_to,
     typed_half_units,
     with_right_angles,
 )
 from kinlib.dh.explanation.search import (
     TableExplanation,
-    cheapest,
     explain_by_choices,
     explain_by_slips,
 )
-from kinlib.dh.parsing import MIN_LENGTH_MM
 from kinlib.dh.slips import NUMBERS, Fault, wrong_number
 from kinlib.dh.table import Convention, DHTable
 from kinlib.urdf.chains import load_urdf
 
-MAX_TOLD, MAX_DIFFERENT_ENTRIES, MAX_ROUNDED_TOL = 3, 8, 1e-2
-"""How many equally simple explanations the text lists, and how many different entries; and through which effect of rounding
-mistakes are looked for."""
+MAX_TOLD, MAX_DIFFERENT_ENTRIES, MAX_ROUNDED_TOL = 3, 8, 2e-2
+"""How many equally simple explanations the text lists, and how many different entries; and up to which effect of rounding a
+table is called right, and mistakes are looked for."""
 
 CALLED_EXACT_M = 1e-6
 """Poses that differ by less are told as equal."""
@@ -192,63 +188,34 @@ def diagnose(
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
     if table.n != arm.n:
         raise ValueError(f"The table must have the joints of the arm, {arm.joint_types}; it has {table.joints}.")
-    found = _diagnosed(table, arm, reference, frozenset(fixed), tolerance, in_pairs)
-    plain = with_right_angles(table, typed_half_units(table.rows)[0])
-    off = np.abs(plain.rows - table.rows).max()
-    if tolerance is None and off and found.verdict in {"undecided", "wrong"}:
-        again = _diagnosed(plain, arm, reference, frozenset(fixed), None, in_pairs)
-        if again.verdict in {"right", "rounded"}:
-            return replace(again, verdict="rounded", table=table, rounding=found.rounding)
-        if again.explanations and (
-            not found.explanations or again.explanations[0].edits <= found.explanations[0].edits
-        ):
-            return replace(again, note=TAKEN_AS_RIGHT_ANGLES if off > TYPED_PI_ERROR else "")
-    return found
-
-
-def _diagnosed(  # noqa: PLR0917
-    table: DHTable,
-    arm: Chain,
-    reference: Chain | DHTable,
-    fixed: frozenset[str],
-    tolerance: float | None,
-    in_pairs: bool,
-) -> Diagnosis:
-    """Find the mistakes in a table, with the numbers that it has."""
-    exact = EQUIVALENCE_TOL if tolerance is None else tolerance
-    near = equivalent(table, arm, fixed=fixed, tolerance=exact)
-    found = Diagnosis("right" if near.verdict == "same" else "wrong", table, arm, near)
+    names, exact = frozenset(fixed), EQUIVALENCE_TOL if tolerance is None else tolerance
+    compared = equivalent(table, arm, fixed=names, tolerance=exact)
+    found = Diagnosis("right" if compared.verdict == "same" else "wrong", table, arm, compared)
     if found.verdict == "right" or "H" in arm.joint_types:
         return found
-    half, noise = np.zeros(table.rows.shape), exact
-    rounded: bool | None = False
-    if tolerance is None and table.joints.replace("F", "") == arm.joint_types:
+    plain, half, noise = table, np.zeros(table.rows.shape), exact
+    if tolerance is None:
         half, words = typed_half_units(table.rows)
-        noise = max(rounding_effect(table, half), exact)
-        near = equivalent(table, arm, fixed=fixed, tolerance=noise)
-        found = replace(found, rounding=words)
-        rounded = rounds_to(table, arm, near, fixed, half) if near.verdict == "same" else None
-        if rounded:
-            return replace(found, verdict="rounded", comparison=near)
-    if found.comparison.verdict == "undecided":
+        plain = with_right_angles(table, half)
+        half = typed_half_units(plain.rows)[0]
+        noise = max(rounding_effect(plain, half), exact)
+        is_other = np.abs(plain.rows - table.rows).max() > TYPED_PI_ERROR
+        found = replace(found, rounding=words, note=TAKEN_AS_RIGHT_ANGLES * bool(is_other))
+    near = equivalent(plain, arm, fixed=names, tolerance=noise)
+    if near.verdict == "same" and near.difference <= MAX_ROUNDED_TOL:
+        return replace(found, verdict="rounded", comparison=near, note="")
+    if compared.verdict == "undecided":
         return replace(found, verdict="undecided")
-    if np.abs(table.rows[:, [0, 2]]).max() > MIN_LENGTH_MM and noise > exact:  # in case that they are in millimetres
-        metres = table.changed(rows=table.rows * (1e-3, 1, 1e-3, 1))
-        noise = max(rounding_effect(metres, typed_half_units(metres.rows)[0]), exact)
-    explanations = _explanations(table, reference, fixed, half, exact, in_pairs)
-    if not explanations and near.verdict != "same" and exact < noise <= MAX_ROUNDED_TOL:
-        explanations = _explanations(table, reference, fixed, half, noise, in_pairs, max_slips=1)
-    if explanations or not in_pairs:
-        return replace(found, explanations=explanations)
-    sines, angles, _ = neighbours(arm)
-    is_decided = near.verdict == "different" and noise <= 0.1 * sines[sines > PARALLEL_TOL_RAD].min(initial=1.0)
-    # No angle between axes changes by more than all angles are rounded.
-    is_other = (
-        np.abs(neighbours(table.to_chain())[1] - angles).max(initial=0.0) > half[:, [1, 3]].sum() + ROUNDING_ERROR
-    )
-    if not (is_decided or is_other or rounded is False):
+    is_near, is_typed = near.verdict == "same", bool((plain.rows != table.rows).any())
+    searches = [(plain, exact), *[(table, exact)] * is_typed]
+    searches += [(plain, min(noise, MAX_ROUNDED_TOL))] * (noise > exact and not is_near)
+    for start, bound in searches:
+        slips = 1 if is_near or bound > exact else 2  # two numbers can explain the rounding of all of them
+        if explanations := _explanations(start, reference, names, half, bound, in_pairs, slips):
+            return replace(found, explanations=explanations)
+    if near.verdict != "different":
         return replace(found, verdict="undecided")
-    return _with_nearest(found, fixed, half, noise)
+    return _with_nearest(replace(found, table=plain), names, half, noise) if in_pairs else found
 
 
 def _explanations(  # noqa: PLR0917
@@ -258,7 +225,7 @@ def _explanations(  # noqa: PLR0917
     half: Array,
     bound: float,
     in_pairs: bool,
-    max_slips: int = 2,
+    max_slips: int,
 ) -> Sequence[TableExplanation]:
     """Explain a table by one slip; or by choices that are fixed, or two slips, whichever changes less."""
     found = explain_by_slips(table, reference, fixed, bound, 1, half)
@@ -268,10 +235,6 @@ def _explanations(  # noqa: PLR0917
     choices = [explain_by_choices(table, compared, fixed)] * (bool(fixed) and compared.verdict == "same")
     if not found and max_slips > 1 and not any(each.edits <= 2 for each in choices):
         found = explain_by_slips(table, reference, fixed, bound, 2, half)
-        if ends := fixed & {"base", "tool"}:
-            found = cheapest([*found, *explain_by_slips(table, reference, fixed, bound, 1, half, ends)])
-    if any(each.says_as_much(other) for each in found for other in choices):
-        return found
     is_pair = bool(found) and len(found[0].faults) > 1
     return choices if choices and (not found or choices[0].edits < found[0].edits + is_pair) else found
 

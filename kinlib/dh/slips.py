@@ -10,7 +10,7 @@ from itertools import combinations, permutations
 
 import numpy as np
 
-from kinlib.arrays.formatting import format_degrees, format_different, format_number
+from kinlib.arrays.formatting import format_different, format_number
 from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import COLUMNS, MIN_LENGTH_MM, joint_entries
@@ -165,21 +165,20 @@ class Fault:
 
 @dataclass(frozen=True, eq=False)
 class Correction:
-    """A fault and its correction: the change of the numbers, and the rows whose joint counts in the opposite direction."""
+    """A fault and its correction: the change of the numbers."""
 
     fault: Fault
-    change: Change = lambda rows: rows
-    reversed: frozenset[int] = frozenset()
+    change: Change
 
     @property
     def surcharge(self) -> int:
         """How many edits it counts as, beside the numbers that it changes.
 
-        Labels and invented numbers are one. Every entry of a column has to be wrong in the same way, which is one as well: a single
-        entry is the simpler explanation.
+        An invented number is one. Every entry of a column has to be wrong in the same way, which is one as well: a single entry is the
+        simpler explanation.
         """
         is_column = self.fault.row is None and self.fault.name.startswith("sign of")
-        return (self.fault.name in NUMBERS) + is_column + bool(self.reversed)
+        return (self.fault.name in NUMBERS) + is_column
 
 
 def slips_in_places(m: int) -> Iterator[tuple[Slip, list[int]]]:
@@ -207,7 +206,7 @@ def corrections(table: DHTable, right: Array, fixed: Collection[str], half_unit:
     """Return the corrections that leave the joint types as they are, those of the whole table first.
 
     right      (k, 4) rows of right tables of the arm, whose numbers are tried in place of wrong ones
-    fixed      with "zeros" the entries that the joints change count, and with "signs" their directions do
+    fixed      with "zeros" the entries that the joints change count
     half_unit  (m, 4) a number that is off by less has not enough digits, and is no wrong one
     """
     variables = [] if "zeros" in fixed else joint_entries(table.joints)
@@ -221,8 +220,6 @@ def corrections(table: DHTable, right: Array, fixed: Collection[str], half_unit:
         ):
             continue  # a single entry in the wrong row
         found.append(Correction(_fault(slip, places, table), changed_in(places, slip.undo or slip.change)))
-    if "signs" in fixed:
-        found += _corrections_of_signs(table)
     return [*found, *_corrections_of_a_number(table, right, "zeros" in fixed, half_unit)]
 
 
@@ -275,31 +272,12 @@ def starting_tables(table: DHTable, joint_types: str) -> Iterator[tuple[list[Fau
         yield [*faults, Fault("the other convention", text)], start.changed(convention=other)
 
 
-def _corrections_of_signs(table: DHTable) -> Iterator[Correction]:
-    """Yield the corrections of joints that count in the opposite direction: one of them, or all that rotate."""
-    for row, letter in enumerate(table.joints):
-        if letter != "F":
-            name, sign = "theta" if letter == "R" else "d", "-" if table.signs[row] > 0 else "+"
-            text = f"Row {row + 1}: the joint counts in the opposite direction; {name} should have {sign}q."
-            yield Correction(Fault("sign of a joint value", text, row + 1, name), reversed=frozenset({row}))
-    turning = [row for row, letter in enumerate(table.joints) if letter == "R"]
-    if len(turning) > 1:
-        fault = Fault("sign of theta", "Every theta has the wrong sign, with its q.", None, "theta")
-        yield Correction(fault, changed_in(turning, scale([THETA], -1)), reversed=frozenset(turning))
-
-
 def _corrections_of_a_number(
     table: DHTable, right: Array, zeros_are_fixed: bool, half_unit: Array
 ) -> Iterator[Correction]:
     """Yield the corrections of one entry to a number that the arm suggests, or to a usual angle."""
     lengths = right[:, LENGTHS].ravel()
     variables = joint_entries(table.joints)
-    is_bare = zeros_are_fixed and not table.rows[:, THETA].any()
-    if is_bare and len(right) == len(table.rows) and np.count_nonzero(right[:, THETA]) > 1:
-        turning = [row for row, column in variables if column == THETA]
-        offsets = (f"{format_degrees(right[row, THETA])} in row {row + 1}" for row in turning if right[row, THETA])
-        fault = Fault("no offset", f"The offsets of theta are missing: {', '.join(offsets)}.", None, "theta")
-        yield Correction(fault, _set(turning, THETA, right[turning, THETA]))
     for row, column in np.ndindex(table.rows.shape):
         if (row, column) in variables and not zeros_are_fixed:
             continue
@@ -313,7 +291,7 @@ def _corrections_of_a_number(
         least = max(ROUNDING_ERROR, 1.05 * half_unit[row, column])
         for value in {round(value, 12) + 0.0: value for value in values.tolist()}.values():
             if abs(value - typed) > least:
-                yield Correction(Fault(kind, "", row + 1, name), _set([row], column, value))
+                yield Correction(Fault(kind, "", row + 1, name), _set(row, column, value))
 
 
 def wrong_number(table: DHTable, right: DHTable, row: int, column: int) -> Fault:
@@ -328,10 +306,10 @@ def wrong_number(table: DHTable, right: DHTable, row: int, column: int) -> Fault
     return Fault("wrong number", f"Row {row + 1}: {name} should be {should}; the table has {has}.", row + 1, name)
 
 
-def _set(rows_: Sequence[int], column: int, value: float | Array) -> Change:
+def _set(row: int, column: int, value: float) -> Change:
     def change(rows: Array) -> Array:
         rows = rows.copy()
-        rows[..., rows_, column] = value
+        rows[..., row, column] = value
         return rows
 
     return change

@@ -234,34 +234,33 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         return self.changed(rows=rows, convention=convention, **ends)
 
 
-def rows_at(table: DHTable, rows: Array, q: Array, signs: Array | None = None) -> Array:
+def rows_at(table: DHTable, rows: Array, q: Array) -> Array:
     """Add sign times q to the entry that each joint changes, in the rows of a table or of others that differ in their numbers.
 
-    rows (..., m, 4), q (..., n), signs (..., m), batch dimensions that broadcast -> (..., m, 4). The next functions take the same.
+    rows (..., m, 4), q (..., n), batch dimensions that broadcast -> (..., m, 4). The next functions take the same.
 
     >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
     >>> rows_at(table, table.rows, np.array([0.5]))
     array([[1. , 0. , 2. , 0.5]])
     """
-    signs = table.signs if signs is None else signs
-    moved = np.zeros((*np.broadcast_shapes(rows.shape[:-2], q.shape[:-1], signs.shape[:-1]), *rows.shape[-2:])) + rows
+    moved = np.zeros((*np.broadcast_shapes(rows.shape[:-2], q.shape[:-1]), *rows.shape[-2:])) + rows
     for i, (row, column) in enumerate(joint_entries(table.joints)):
-        moved[..., row, column] += signs[..., row] * q[..., i]
+        moved[..., row, column] += table.signs[row] * q[..., i]
     return moved
 
 
-def row_transforms(table: DHTable, rows: Array, q: Array, signs: Array | None = None) -> Array:
+def row_transforms(table: DHTable, rows: Array, q: Array) -> Array:
     """Compute A_i or T_i of each row, (m, ..., 4, 4): base times all of them times tool is the pose of the tool.
 
     >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
     >>> row_transforms(table, table.rows, np.array([0.0]))[0, :3, 3]
     array([1., 0., 2.])
     """
-    columns = np.moveaxis(rows_at(table, rows, q, signs), -1, 0)
+    columns = np.moveaxis(rows_at(table, rows, q), -1, 0)
     return np.moveaxis(dh_transform(*columns, convention=table.convention), -3, 0)
 
 
-def joint_axes(table: DHTable, rows: Array, signs: Array | None = None) -> tuple[Array, Array]:
+def joint_axes(table: DHTable, rows: Array) -> tuple[Array, Array]:
     """Compute the joint axes in {s} at home: their directions (..., n, 3), and a point on each axis (..., n, 3).
 
     >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
@@ -274,8 +273,7 @@ def joint_axes(table: DHTable, rows: Array, signs: Array | None = None) -> tuple
     moving = np.array([row for row, _ in joint_entries(table.joints)])
     # In the standard convention joint i moves about the z before its row, in the modified one about the z after it.
     at_joints = frames[..., moving + (table.convention == "modified"), :, :]
-    signs = table.signs if signs is None else signs
-    return at_joints[..., :3, 2] * signs[..., moving, None], at_joints[..., :3, 3]
+    return at_joints[..., :3, 2] * table.signs[moving, None], at_joints[..., :3, 3]
 
 
 def table_frames(table: DHTable, q: Array) -> dict[str, Array]:

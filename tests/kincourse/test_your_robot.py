@@ -129,13 +129,6 @@ def test_a_slip_another_base_and_another_tool_are_one_explanation_and_other_zero
     assert "e-" not in "".join(found.copies().values())
 
 
-def test_a_shift_of_the_tool_that_an_explanation_needs_is_said():
-    arm = kl.to_urdf(TURNED.to_chain())
-    texts = told(examine(arm, kl.DHTable(negated(5, 1), convention="standard")))
-    opposite = next(each for each in texts if "Row 6: the joint counts in the opposite direction" in each[0])
-    assert opposite[-1].endswith("translated by (0, 0, -0.1646) m.")
-
-
 def test_a_right_table_is_called_right_in_the_sentence_that_says_how_far_the_tool_is_off():
     arm, table = kl.to_urdf(TURNED.to_chain()), KNOWN["UR5"][0]
     for given, end in (

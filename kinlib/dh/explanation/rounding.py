@@ -5,23 +5,25 @@ poses of its arm, although nobody made a mistake. All lengths of a table are tak
 the most, and so are all angles, in radians or in degrees, whichever takes fewer.
 """
 
-import math
-
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays.tolerances import EQUIVALENCE_TOL, ROUNDING_ERROR, TYPED_PI_ERROR
+from kinlib.arrays.tolerances import TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
-from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, MAX_FITTED_M, Map, linearized, nearest_maps
-from kinlib.dh.equivalence import ROUGH, Equivalence, equivalent
+from kinlib.chains.chain import Chain, random_configurations
+from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Map, linearized, nearest_maps
+from kinlib.dh.equivalence import ROUGH, equivalent
 from kinlib.dh.parsing import joint_entries
+from kinlib.dh.slips import ANGLES
 from kinlib.dh.table import DHTable, rows_at
 from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import exp
 
 ALL_DECIMALS = 12
 """A number with so many decimals was not rounded by a person."""
+
+MAX_TYPED_PI_ERROR = 2e-3
+"""How far 3.14 is off."""
 
 
 def typed_half_units(rows: Array) -> tuple[Array, str]:
@@ -57,10 +59,10 @@ def typed_half_units(rows: Array) -> tuple[Array, str]:
 
 
 def with_right_angles(table: DHTable, half_unit: Array) -> DHTable:
-    """Return a table whose angles are exactly the multiples of 45 degrees to which they are rounded, such as 1.57."""
+    """Return a table whose angles are exactly the multiples of 45 degrees that they have with at least three digits, such as 1.57."""
     right = np.round(table.rows / (np.pi / 4)) * (np.pi / 4)
     off = np.abs(right - table.rows)
-    is_rounded = (np.arange(4) % 2 == 1) & (right != 0) & (off <= half_unit) & (off > 1e-12)
+    is_rounded = (np.arange(4) % 2 == 1) & (right != 0) & (off <= np.minimum(half_unit, MAX_TYPED_PI_ERROR)) & (off > 1e-12)
     return table.changed(rows=np.where(is_rounded, right, table.rows))
 
 
@@ -87,79 +89,48 @@ def rounding_effect(table: DHTable, half_unit: Array) -> float:
     return float(half_unit[:, [0, 2]].sum() + max(1.0, reach) * half_unit[:, [1, 3]].sum())
 
 
-def nearest_rows(
-    table: DHTable, arm: Chain, start: Map, fixed: frozenset[str], half_unit: Array, *, tolerance: float, few: bool
-) -> Array | None:
-    """Find the rows (m, 4) nearest to those of a table with which it describes an arm to a tolerance; None if none are found.
+def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: Array, noise: float) -> DHTable | None:
+    """Find the table with few other numbers that describes the arm, beginning with the maps that fit roughly; None if none is found."""
+    if table.joints.replace("F", "") != arm.joint_types:
+        return None
+    tolerance, half = max(noise, 1e-6), np.maximum(half_unit, 1e-6)
+    is_free = np.zeros(half.shape, dtype=bool)
+    for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
+        is_free[entry] = True
+    rough = sorted(nearest_maps(table.to_chain(), arm, fixed, ROUGH), key=lambda each: each.difference)[:2]
+    for start in [Map(np.ones(arm.n), np.zeros(arm.n)), *rough]:
+        change = _few_changes(table, arm, start, fixed, np.where(is_free, 1.0, half))
+        is_changed = ~is_free & (np.abs(change) > 1.05 * half)
+        change[:, ANGLES] = wrap_angle(change[:, ANGLES])  # a fit may have made full turns
+        nearest = table.changed(rows=np.where(is_changed, (table.rows + change).round(7), table.rows))
+        if equivalent(nearest, arm, fixed=fixed, tolerance=tolerance).verdict == "same":
+            return nearest
+    return None
 
-    start      a map from the chain of the table to the arm, from which the search begins
-    half_unit  (m, 4) infinite where an entry is free
-    few        whether as few entries as possible change; otherwise the sum of their squares in half units is smallest
+
+def _few_changes(table: DHTable, arm: Chain, start: Map, fixed: frozenset[str], unit: Array) -> Array:
+    """Find changes (m, 4) of few numbers after which a table describes an arm, from a map that nearly does.
 
     The four motions of each row are those of a chain of 4 m joints whose values are the numbers. So its body Jacobian says how
-    the poses change with the numbers, and each step is a least-squares problem. If few entries are to change, the weight of an
-    entry grows with the change that it had in the step before.
+    the poses change with the numbers, and each step is a least-squares problem, in which an entry costs its change in units, and
+    less, the more it changed in the step before.
     """
     order = [3, 2, 0, 1] if table.convention == "standard" else [1, 0, 3, 2]
     axes = np.eye(6)[[3, 0, 5, 2]]  # of a, alpha, d, theta in the frame that the row begins with
     motions = Chain(np.tile(axes[order], (len(table.rows), 1)), np.eye(4))
     q = random_configurations(arm.n, COMPARED_CONFIGURATIONS)
     values = rows_at(table, table.rows, start.signs * q + start.offsets)[..., order].reshape(len(q), -1)
-    if np.abs(values).max() > MAX_FITTED_M:
-        return None
-    units = np.where(np.isinf(half_unit), 1.0, half_unit)[:, order].ravel()
     X, Y, target = start.base @ table.base, table.tool @ start.tool, arm.fk(q)
     base, tool = (np.full(6, float(name not in fixed)) for name in ("base", "tool"))
     # Of parallel axes, any d can change; it is the one that is given.
-    weight = np.where(table.rows[:, order].ravel() == 0, 0.1, 1.0) if few else np.ones(units.size)
+    weight, units = np.where(table.rows[:, order] == 0, 0.1, 1.0).ravel(), unit[:, order].ravel()
     change = np.zeros(units.size)
     for _ in range(20):
         error, J = linearized(X, motions, values + change, Y, target)
         scale = np.concatenate([base, units * weight, tool])
         step = np.linalg.lstsq(J * scale, J[:, 6:-6] @ change - error, rcond=1e-10)[0] * scale
-        if not np.isfinite(step).all() or np.abs(step).max() > 1e3:  # it diverges
-            return None
+        if not np.abs(step).max() < 1e3:  # it diverges
+            break
         X, Y, change = exp(step[:6]) @ X, Y @ exp(step[-6:]), step[6:-6]
-        weight = np.abs(change / units) + 1e-2 if few else weight
-    rows = table.rows + change.reshape(-1, 4)[:, np.argsort(order)]
-    is_found = largest_difference(X @ motions.fk(values + change) @ Y, target) <= tolerance
-    return np.where(np.abs(rows) < ROUNDING_ERROR, 0.0, rows) if is_found else None
-
-
-def _with_free_entries(table: DHTable, fixed: frozenset[str], half_unit: Array) -> Array:
-    """Return half units that are infinite where the zero of a joint is free."""
-    half = half_unit.copy()
-    for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
-        half[entry] = np.inf
-    return half
-
-
-def rounds_to(table: DHTable, arm: Chain, near: Equivalence, fixed: frozenset[str], half_unit: Array) -> bool | None:
-    """Return whether numbers that round to those of the table describe the arm, as a map nearly does; None if that is uncertain."""
-    half, tolerance = _with_free_entries(table, fixed, half_unit), max(EQUIVALENCE_TOL, 1e-2 * near.tolerance)
-    rows = nearest_rows(table, arm, near, fixed, half, tolerance=tolerance, few=False)
-    if rows is None:
-        return None
-    off = np.abs(rows - table.rows) / half
-    # The sum of squares is smallest, not the largest change. No numbers within their half units have a smaller sum.
-    return True if off.max() <= 1.05 else False if np.linalg.norm(off) > 1.05 * math.sqrt(off.size) else None
-
-
-def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: Array, noise: float) -> DHTable | None:
-    """Find the table with few other numbers that describes the arm, beginning with the maps that fit roughly."""
-    if table.joints.replace("F", "") != arm.joint_types:
-        return None
-    tolerance, half = max(noise, 1e-6), _with_free_entries(table, fixed, half_unit)
-    # Two digits more than the table has are enough.
-    finest = 10.0 ** np.floor(np.log10(np.maximum(half_unit, 1e-6) / 50))
-    rough = sorted(nearest_maps(table.to_chain(), arm, fixed, ROUGH), key=lambda each: each.difference)[:2]
-    for start in [Map(np.ones(arm.n), np.zeros(arm.n)), *rough]:
-        rows = nearest_rows(table, arm, start, fixed, np.maximum(half, 1e-6), tolerance=tolerance, few=True)
-        if rows is not None:
-            is_changed = np.abs(rows - table.rows) > 1.05 * np.maximum(half, 1e-6)
-            angles = np.where(np.abs(rows) > 2 * np.pi, wrap_angle(rows), rows)  # a fit may have made full turns
-            rows = np.where(np.arange(4) % 2, angles, np.round(rows / finest) * finest)
-            nearest = table.changed(rows=np.where(is_changed, rows, table.rows))
-            if equivalent(nearest, arm, fixed=fixed, tolerance=tolerance).verdict == "same":
-                return nearest
-    return None
+        weight = np.abs(change / units) + 1e-2
+    return change.reshape(-1, 4)[:, np.argsort(order)]

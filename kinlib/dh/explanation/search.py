@@ -65,12 +65,10 @@ def explain_by_slips(  # noqa: PLR0917
     tolerance: float,
     count: int,
     half_unit: Array,
-    free_ends: frozenset[str] = frozenset(),
 ) -> list[TableExplanation]:
     """Return the explanations of a table by so many slips with the fewest edits, those with the smallest price first.
 
-    half_unit   (m, 4) how far the numbers may be off by their digits
-    free_ends   of the fixed choices, a base or a tool that may be wrong as well; then it is told, too
+    half_unit  (m, 4) how far the numbers may be off by their digits
     """
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
     found = list[tuple[Price, TableExplanation]]()
@@ -81,28 +79,20 @@ def explain_by_slips(  # noqa: PLR0917
         if isinstance(reference, DHTable) and len(reference.rows) == len(table.rows):
             right = reference.converted(start.convention)
         least = None
-        for price, slips, rows, signs in _candidates(
-            start, arm, right.rows, fixed - free_ends, tolerance, count - len(faults), half_unit
-        ):
+        for price, slips, rows in _candidates(start, arm, right.rows, fixed, tolerance, count - len(faults), half_unit):
             if least is not None and price[0] > least:
                 break
             with suppress(ValueError):  # for example an angle of many turns, which no table has
-                corrected = start.changed(rows=rows, signs=signs)
-                compared = equivalent(corrected, arm, fixed=fixed - free_ends, tolerance=tolerance)
-                if compared.verdict == "same":
+                corrected = start.changed(rows=rows)
+                if equivalent(corrected, arm, fixed=fixed, tolerance=tolerance).verdict == "same":
                     least = price[0]
-                    ends = explain_by_choices(corrected, compared, free_ends)
-                    told = [*faults, *(_described(fault, start, corrected) for fault in slips), *ends.faults]
-                    edits = price[0] + len(faults) + ends.edits
-                    each = TableExplanation(told, ends.corrected, edits)
+                    told = [*faults, *(_described(fault, start, corrected) for fault in slips)]
+                    edits = price[0] + len(faults)
+                    each = TableExplanation(told, corrected, edits)
                     if not any(each.says_as_much(other) for _, other in found):
                         found.append(((edits, *price[1:]), each))
-    return cheapest([each for _, each in sorted(found, key=lambda pair: pair[0])])
-
-
-def cheapest(found: Sequence[TableExplanation]) -> list[TableExplanation]:
-    """Return the explanations with the fewest edits."""
-    return [each for each in found if each.edits == min(other.edits for other in found)]
+    fewest = min((price[0] for price, _ in found), default=0)
+    return [each for price, each in sorted(found, key=lambda pair: pair[0]) if price[0] == fewest]
 
 
 def explain_by_choices(table: DHTable, found: Equivalence, names: Collection[str] = CHOICES) -> TableExplanation:
@@ -145,21 +135,20 @@ def _described(fault: Fault, table: DHTable, corrected: DHTable) -> Fault:
 
 def _candidates(  # noqa: PLR0917
     table: DHTable, arm: Chain, right: Array, fixed: frozenset[str], tolerance: float, count: int, half_unit: Array
-) -> list[tuple[Price, list[Fault], Array, Array]]:
-    """Return what so many corrections of a table with the joint types of the arm lead to, the cheapest first: rows and signs.
+) -> list[tuple[Price, list[Fault], Array]]:
+    """Return the rows that so many corrections of a table with the joint types of the arm lead to, the cheapest first.
 
     Invariants decide what can lead to the arm, and if nothing is free, the poses of a few q. A correction of a row comes after one of
     the whole table, as `corrections` are sorted.
     """
     if not count:
-        return [((0, 0, 0.0), [], table.rows, table.signs)]
+        return [((0, 0, 0.0), [], table.rows)]
     known = [
         each
         for each in corrections(table, right, fixed, half_unit)
-        if each.reversed or np.abs(each.change(table.rows) - table.rows).max() > 1e-12
+        if np.abs(each.change(table.rows) - table.rows).max() > 1e-12
     ]
-    rows, m = np.array([each.change(table.rows) for each in known]), np.arange(len(table.rows))
-    signs = table.signs * np.array([np.where(np.isin(m, [*each.reversed]), -1.0, 1.0) for each in known])
+    rows = np.array([each.change(table.rows) for each in known])
     invents = np.array([each.fault.name in NUMBERS for each in known], dtype=int)
     # Two rows that change places are two edits.
     most = [2 if each.fault.name == "rows swapped" else rows[0].size for each in known]
@@ -167,14 +156,13 @@ def _candidates(  # noqa: PLR0917
     invariants = AxisInvariants(arm, FILTER_TOL_FACTOR * tolerance)
     places, start = np.arange(len(known))[:, None], table.rows
     if count > 1:
-        places = _pairs(invariants, table, rows, signs)
-        signs = signs[places[:, 0]] * signs[places[:, 1]] * table.signs
+        places = _pairs(invariants, table, rows)
         start = rows[places[:, 0]]
         rows = start.copy()
         for place in np.unique(places[:, 1]):
             is_here = places[:, 1] == place
             rows[is_here] = known[place].change(rows[is_here])
-    values, own = (invariants.of(*joint_axes(table, *each)) for each in ((rows, signs), (table.rows, table.signs)))
+    values, own = (invariants.of(*joint_axes(table, each)) for each in (rows, table.rows))
     agree = invariants.agree(values, "signs" in fixed)
     if not fixed and invariants.are_complete:  # what leaves all of them as they are leaves the motions as they are
         agree &= ~np.isclose(values, own, rtol=1e-9, atol=1e-10).all(axis=1)
@@ -182,21 +170,19 @@ def _candidates(  # noqa: PLR0917
     agree &= (invents[places[:, -1]] == 0) | (np.abs(rows - start) > 1.05 * half_unit).any(axis=(1, 2))
     if fixed >= {*CHOICES} and agree.any():
         q = random_configurations(arm.n, 4)
-        links = row_transforms(table, rows[agree, None], q, signs[agree, None])
+        links = row_transforms(table, rows[agree, None], q)
         off = reduce(np.matmul, [*links, table.tool], table.base) - arm.fk(q)
         agree[agree] = np.abs(off).max(axis=(1, 2, 3)) <= FILTER_TOL_FACTOR * tolerance
     numbers, edits = invents[places].sum(axis=1), edits[places].sum(axis=1)
     sizes = np.where(numbers > 0, np.abs(rows - table.rows).sum(axis=(1, 2)), 0.0)
     sizes += 1e-3 * (rows[:, :, [0, 2]] < 0).sum(axis=(1, 2))  # in most tables the lengths have one sign
     order = sorted((int(edits[k]), int(numbers[k]), round(float(sizes[k]), 9), k) for k in np.flatnonzero(agree))
-    return [((e, i, size), [known[p].fault for p in places[k]], rows[k], signs[k]) for e, i, size, k in order][
-        :MAX_COMPARED
-    ]
+    return [((e, i, size), [known[p].fault for p in places[k]], rows[k]) for e, i, size, k in order][:MAX_COMPARED]
 
 
-def _pairs(invariants: AxisInvariants, table: DHTable, rows: Array, signs: Array) -> NDArray[np.intp]:
+def _pairs(invariants: AxisInvariants, table: DHTable, rows: Array) -> NDArray[np.intp]:
     """Return the pairs of corrections of which each one changes every invariant that is wrong without it, (N, 2)."""
-    values, own = (invariants.of(*joint_axes(table, *each)) for each in ((rows, signs), (table.rows, table.signs)))
+    values, own = (invariants.of(*joint_axes(table, each)) for each in (rows, table.rows))
     violated = invariants.violated(values).astype(float)
     unchanged = np.isclose(values, own, rtol=1e-9, atol=1e-10).astype(float)
     possible = violated @ unchanged.T == 0
