@@ -57,7 +57,7 @@ SLIPS_THAT_LOSE_NUMBERS = [
 @cache
 def slips_of_rows() -> Sequence[Slip]:
     """The slips that people make in the rows of any table, one of each name and column."""
-    usual = [slip for slip in SLIPS_OF_A_TABLE if slip.column is not None and "shifted" not in slip.name]
+    usual = [slip for slip in SLIPS_OF_A_TABLE if slip.column is not None]
     return [
         Slip(slip.name, with_symbols(slip.text), slip.change, in_parts=False, spoils=slip.name in WRONG_METHODS)
         for slip in (*usual, *SLIPS_THAT_LOSE_NUMBERS)

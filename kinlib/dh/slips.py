@@ -13,7 +13,7 @@ import numpy as np
 from kinlib.arrays.formatting import format_different, format_number
 from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array
-from kinlib.dh.parsing import COLUMNS, MIN_LENGTH_MM, joint_entries
+from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.table import Convention, DHTable
 from kinlib.rigid.angles import wrap_angle
 
@@ -65,19 +65,8 @@ def swap(one: int, two: int) -> Change:
 
 def roll(columns: Sequence[int], by: int) -> Change:
     """Return the change that moves the numbers of some columns down by some rows; those of the last rows come first."""
-
-    def change(rows: Array) -> Array:
-        rows = rows.copy()
-        rows[..., columns] = np.roll(rows[..., columns], by, axis=-2)
-        return rows
-
-    return change
-
-
-def antiparallel(rows: Array) -> Array:
-    """Take parallel axes as pointing in the other direction: alpha = 0 becomes pi, and pi becomes 0."""
-    is_parallel = (np.abs(np.sin(rows)) < ROUNDING_ERROR) & (np.arange(4) == ALPHA)
-    return np.where(is_parallel, np.pi - np.abs(rows), rows)
+    is_moved = np.isin(np.arange(4), columns)
+    return lambda rows: np.where(is_moved, np.roll(rows, by, axis=-2), rows)
 
 
 RULE = "it is the angle from one z to the next about the x between them, by the right-hand rule"
@@ -100,15 +89,8 @@ SLIPS_OF_A_TABLE = [
     *(Slip(f"sign of {COLUMNS[k]}", f"Every {COLUMNS[k]} has the wrong sign.", scale([k], -1), column=k) for k in (D, A, THETA)),
     Slip("a and d swapped", f"The columns a and d are swapped: {MEASURED}.", swap(A, D), column=A),
     Slip("angles swapped", "The columns theta and alpha are swapped.", swap(THETA, ALPHA), column=THETA),
-    *(
-        Slip(name, f"{what} one row too {way}{why}.", roll(columns, by), roll(columns, -by), column)
-        for by, way, end in ((1, "low", "last one is at the top"), (-1, "high", "first one is at the bottom"))
-        for name, what, columns, column, why in (
-            ("column shifted", "The columns a and alpha are", (A, ALPHA), None, ": a_{{i-1}} and a_i were confused"),
-            *(("column shifted", f"The column {name} is", (k,), k, "") for k, name in enumerate(COLUMNS)),
-            ("rows shifted", "The rows are", range(4), None, f", and the {end}"),
-        )
-    ),
+    Slip("rows shifted", "The rows are one row too low, and the last one is at the top.", roll(range(4), 1), roll(range(4), -1)),
+    Slip("rows shifted", "The rows are one row too high, and the first one is at the bottom.", roll(range(4), -1), roll(range(4), 1)),
     *(
         Slip("columns in another order", ORDER.format(typed=", ".join(COLUMNS[k] for k in order)), reorder(order), reorder(back))
         for order in permutations(range(4))
@@ -122,7 +104,6 @@ IN_A_ROW = "Row {row}: "
 
 SLIPS_OF_A_ROW = [
     Slip("sign of alpha", IN_A_ROW + "alpha has the wrong sign.", scale([ALPHA], -1), column=ALPHA),
-    Slip("antiparallel", IN_A_ROW + "the axes are parallel, but in the other direction.", antiparallel, column=ALPHA),
     *(Slip(f"sign of {COLUMNS[k]}", f"{IN_A_ROW}{COLUMNS[k]} has the wrong sign.", scale([k], -1), column=k) for k in (D, A, THETA)),
     *(
         Slip(unit, f"{IN_A_ROW}{COLUMNS[k]} is in {unit}, but was read as {right}.", scale([k], factor), scale([k], 1 / factor), k)
@@ -165,20 +146,11 @@ class Fault:
 
 @dataclass(frozen=True, eq=False)
 class Correction:
-    """A fault and its correction: the change of the numbers."""
+    """A fault and its correction: the change of the numbers, and how many edits it counts as beside them."""
 
     fault: Fault
     change: Change
-
-    @property
-    def surcharge(self) -> int:
-        """How many edits it counts as, beside the numbers that it changes.
-
-        An invented number is one. Every entry of a column has to be wrong in the same way, which is one as well: a single entry is the
-        simpler explanation.
-        """
-        is_column = self.fault.row is None and self.fault.name.startswith("sign of")
-        return (self.fault.name in NUMBERS) + is_column
+    surcharge: int = 0
 
 
 def slips_in_places(m: int) -> Iterator[tuple[Slip, list[int]]]:
@@ -212,64 +184,36 @@ def corrections(table: DHTable, right: Array, fixed: Collection[str], half_unit:
     variables = [] if "zeros" in fixed else joint_entries(table.joints)
     found = list[Correction]()
     for slip, places in slips_in_places(len(table.rows)):
-        if len(places) == 1 and ((places[0], slip.column) in variables or not _is_likely(slip, table.rows[places[0]])):
+        if len(places) == 1 and (places[0], slip.column) in variables:
             continue
-        if (
-            slip.name == "column shifted"
-            and np.count_nonzero(table.rows[:, [A, ALPHA] if slip.column is None else slip.column]) < 2
-        ):
-            continue  # a single entry in the wrong row
-        found.append(Correction(_fault(slip, places, table), changed_in(places, slip.undo or slip.change)))
+        # Every entry of a column has to be wrong in the same way: that a single entry is wrong is simpler.
+        is_sign = not places and slip.name.startswith("sign of")
+        found.append(Correction(_fault(slip, places), changed_in(places, slip.undo or slip.change), int(is_sign)))
     return [*found, *_corrections_of_a_number(table, right, "zeros" in fixed, half_unit)]
 
 
-def _is_likely(slip: Slip, row: Array) -> bool:
-    """Whether a number of the row can come from the slip: only a large one is in millimetres or in degrees."""
-    smallest = {"millimetres": MIN_LENGTH_MM, "degrees": 1.0}.get(slip.name, 0.0)
-    return slip.column is None or smallest == 0 or bool(abs(row[slip.column]) > smallest)
-
-
-def _fault(slip: Slip, places: Sequence[int], table: DHTable) -> Fault:
-    """Describe a slip in its place; an entry of 0 that changes places with another one is a single entry in the wrong row."""
-    column = None if slip.column is None else COLUMNS[slip.column]
-    row, other = (places[0] + 1 if places else None), (places[-1] + 1 if places else None)
-    if slip.name == "entry one row off" and len(filled := [k for k in places if table.rows[k, slip.column]]) == 1:
-        row, other = filled[0] + 1, places[0] + places[1] - filled[0] + 1
-        return Fault(slip.name, f"Row {row}: the entry of {column} belongs in row {other}.", row, column)
-    if slip.name == "antiparallel":
-        angle = 180 - round(abs(np.degrees(table.rows[places[0], ALPHA])))
-        directions = "opposite directions" if angle else "the same direction"
-        text = f"Row {row}: the axes are parallel with {directions}: alpha should be {angle} degrees."
-        return Fault(slip.name, text, row, column)
-    return Fault(slip.name, slip.text.format(row=row, other=other), row, column)
+def _fault(slip: Slip, places: Sequence[int]) -> Fault:
+    """Describe a slip in its place."""
+    row, other = (places[0] + 1, places[-1] + 1) if places else (None, None)
+    return Fault(
+        slip.name, slip.text.format(row=row, other=other), row, None if slip.column is None else COLUMNS[slip.column]
+    )
 
 
 def starting_tables(table: DHTable, joint_types: str) -> Iterator[tuple[list[Fault], DHTable]]:
-    """Yield a table in both conventions and with the joint types of an arm, and the faults that were corrected.
-
-    Variables belong in the other column, or two rows are swapped.
-    """
-    other, ways = OTHER_CONVENTION[table.convention], [(list[Fault](), table)]
+    """Yield a table in both conventions and with the joint types of an arm, and the faults that were corrected."""
+    other, faults = OTHER_CONVENTION[table.convention], list[Fault]()
     right, moving = [*table.joints], [row for row, _ in joint_entries(table.joints)]
     for row, letter in zip(moving, joint_types, strict=True):
         right[row] = letter
-    if right != [*table.joints]:
-        faults = []
-        for row in (row for row in moving if right[row] != table.joints[row]):
-            kind, column = ("prismatic", "d") if right[row] == "P" else ("revolute", "theta")
-            text = f"Row {row + 1}: the joint variable belongs in {column}, because this joint is {kind}."
-            faults.append(Fault("variable in the wrong column", text, row + 1, column))
-        ways = [(faults, table.changed(joints="".join(right)))]
-        for places in combinations(range(len(right)), 2):
-            order = np.arange(len(right))
-            order[[*places]] = places[::-1]
-            if [table.joints[row] for row in order] == right:
-                swapped = table.changed(rows=table.rows[order], joints="".join(right))
-                ways.append(([_fault(SLIPS_OF_TWO_ROWS[0], places, table)], swapped))
+    for row in (row for row in moving if right[row] != table.joints[row]):
+        kind, column = ("prismatic", "d") if right[row] == "P" else ("revolute", "theta")
+        text = f"Row {row + 1}: the joint variable belongs in {column}, because this joint is {kind}."
+        faults.append(Fault("variable in the wrong column", text, row + 1, column))
+    start = table.changed(joints="".join(right))
     text = f"The table is in the {other} convention, but was read as {table.convention}."
-    for faults, start in ways:
-        yield faults, start
-        yield [*faults, Fault("the other convention", text)], start.changed(convention=other)
+    yield faults, start
+    yield [*faults, Fault("the other convention", text)], start.changed(convention=other)
 
 
 def _corrections_of_a_number(
@@ -291,7 +235,7 @@ def _corrections_of_a_number(
         least = max(ROUNDING_ERROR, 1.05 * half_unit[row, column])
         for value in {round(value, 12) + 0.0: value for value in values.tolist()}.values():
             if abs(value - typed) > least:
-                yield Correction(Fault(kind, "", row + 1, name), _set(row, column, value))
+                yield Correction(Fault(kind, "", row + 1, name), _set(row, column, value), surcharge=1)
 
 
 def wrong_number(table: DHTable, right: DHTable, row: int, column: int) -> Fault:

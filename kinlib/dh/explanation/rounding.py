@@ -62,8 +62,8 @@ def with_right_angles(table: DHTable, half_unit: Array) -> DHTable:
     """Return a table whose angles are exactly the multiples of 45 degrees that they have with at least three digits, such as 1.57."""
     right = np.round(table.rows / (np.pi / 4)) * (np.pi / 4)
     off = np.abs(right - table.rows)
-    is_rounded = (np.arange(4) % 2 == 1) & (right != 0) & (off <= np.minimum(half_unit, MAX_TYPED_PI_ERROR)) & (off > 1e-12)
-    return table.changed(rows=np.where(is_rounded, right, table.rows))
+    is_angle, is_near = np.arange(4) % 2 == 1, off <= np.minimum(half_unit, MAX_TYPED_PI_ERROR)
+    return table.changed(rows=np.where(is_angle & is_near & (off > 1e-12), right, table.rows))
 
 
 def _shortest(number: float) -> str:
