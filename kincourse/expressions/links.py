@@ -10,9 +10,7 @@ from kincourse.expressions.poses import inverse
 from kincourse.expressions.screws import JOINT_ANGLE, joint_value, unless_unchanged
 from kinlib.arrays.validation import Array
 from kinlib.dh.slips import OTHER_CONVENTION
-from kinlib.dh.table import Convention
-from kinlib.dh.table import joint_transform as z_motion
-from kinlib.dh.table import normal_transform as x_motion
+from kinlib.dh.table import Convention, dh_transform
 from misstep.mutants.expression import (
     ALL_AT_ONCE,
     Expression,
@@ -186,8 +184,8 @@ def _link_operation(convention: Convention, label: str) -> Operation:
 
 # fmt: off
 _LINKS = {
-    "standard": lambda a, alpha, d, theta: z_motion(d, theta) @ x_motion(a, alpha),
-    "modified": lambda a, alpha, d, theta: x_motion(a, alpha) @ z_motion(d, theta),
+    "standard": partial(dh_transform, convention="standard"),
+    "modified": partial(dh_transform, convention="modified"),
 }
 
 _ROWS = table(

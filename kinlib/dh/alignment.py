@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from kinlib.arrays.tolerances import PARALLEL_TOL_RAD, SAME_DISTANCE_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.rigid.lie import adjoint, cross, exp, homogeneous, inverse, log, perpendicular, vee
+from kinlib.rigid.lie import adjoint, cross, exp, homogeneous, inverse, perpendicular, vee
 
 Booleans = NDArray[np.bool_]
 
@@ -105,9 +105,6 @@ def _dot(u: Array, v: Array) -> Array:
 COMPARED_CONFIGURATIONS = 16
 """At how many random configurations chains are compared."""
 
-MAX_FITTED_M = 1e7
-"""The largest length of a fit. The common normals of nearly parallel axes may be farther away, and no fit resolves them."""
-
 SEARCHED_AS_PARALLEL_RAD = 2e-5
 """Axes at a smaller angle are searched as parallel ones."""
 
@@ -129,19 +126,13 @@ class Map:
         return replace(self, difference=largest_difference(target, poses))
 
 
-def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float, tolerance: float = 0.0) -> list[Map]:
-    """Find maps from one chain to another with the same joint types whose axes agree to within `loose`, in metres and radians.
-
-    Those that change the fewest joints come first; after one to within the tolerance, no map with two changes more is sought.
-    """
-    found, most, target = list[Map](), 2 * one.n, other.fk(random_configurations(one.n, COMPARED_CONFIGURATIONS))
+def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> list[Map]:
+    """Find maps from one chain to another with the same joint types whose axes agree to within `loose`, in metres and radians."""
+    found, target = list[Map](), other.fk(random_configurations(one.n, COMPARED_CONFIGURATIONS))
     for signs, offsets, R in _starts(one, other, fixed, loose):
-        changes = int(np.sum(signs < 0) + np.sum(np.abs(offsets) > SAME_DISTANCE_RAD))
-        if changes > most:
-            continue
-        found += _completed(Map(signs, offsets, homogeneous(R, np.zeros(3))), one, other, fixed, target)
-        if found[-1].difference <= tolerance:
-            most = min(most, changes + 2)  # base and tool may take up two changes
+        X = homogeneous(R, np.zeros(3))
+        Y = np.eye(4) if "tool" in fixed else inverse(X @ one.fk(offsets)) @ other.home
+        found.append(_improved(Map(signs, offsets, X, Y).measured(one, target), one, target, fixed))
     return found
 
 
@@ -219,28 +210,6 @@ def _frame(z: Array) -> Array:
     """Compute the axes of a frame with this z (..., 3), the same ones every time."""
     x = perpendicular(z)
     return np.stack([x, cross(z, x), z], axis=-1)
-
-
-def _completed(start: Map, one: Chain, other: Chain, fixed: frozenset[str], target: Array) -> list[Map]:
-    """Find the translations of base and tool and the zeros of the prismatic joints.
-
-    A motion of the base along the first axis is an offset of joint 1, and one of the tool along the last axis an offset of joint n.
-    So there is another map in which they are.
-    """
-    Y = np.eye(4) if "tool" in fixed else inverse(start.base @ one.fk(start.offsets)) @ other.home
-    found = _improved(replace(start, tool=Y).measured(one, target), one, target, fixed)
-    if "zeros" in fixed or max(np.abs(found.base).max(), np.abs(found.tool).max()) > MAX_FITTED_M:
-        return [found]
-    X, Y, offsets = found.base, found.tool, found.offsets.copy()
-    if "base" not in fixed:
-        S = one.screws[0]
-        offsets[0] += (along := log(X) @ S / (S @ S))
-        X = X @ exp(-along * S)
-    if "tool" not in fixed:
-        B = one.body_screws[-1]
-        offsets[-1] += (along := log(Y) @ B / (B @ B))
-        Y = exp(-along * B) @ Y
-    return [replace(found, base=X, tool=Y, offsets=offsets).measured(one, target), found]
 
 
 def _improved(found: Map, one: Chain, target: Array, fixed: frozenset[str]) -> Map:

@@ -27,7 +27,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.dh.parsing import MAX_LENGTH_M
-from kinlib.dh.table import Convention, DHTable, format_rows, joint_transform, normal_transform, validate_convention
+from kinlib.dh.table import Convention, DHTable, dh_transform, format_rows, validate_convention
 from kinlib.rigid.lie import cross, homogeneous, nearest_rotation
 
 
@@ -192,7 +192,7 @@ def _last_frame(frame: Array, home: Array) -> tuple[Array, tuple[float, float], 
     x = offset / a if a > INTERSECTION_TOL_M else _first_perpendicular(home[:3, :3].T, z)
     a = a if a > INTERSECTION_TOL_M else 0.0
     frame, d_theta = _move_about_z(frame, x, foot)
-    return frame @ normal_transform(a, 0.0), d_theta, a
+    return frame @ dh_transform(a, 0, 0, 0, convention="standard"), d_theta, a
 
 
 def _move_about_z(frame: Array, x: Array, origin: Array) -> tuple[Array, tuple[float, float]]:
@@ -200,7 +200,7 @@ def _move_about_z(frame: Array, x: Array, origin: Array) -> tuple[Array, tuple[f
     d = float(frame[:3, 2] @ (origin - frame[:3, 3]))
     cos, sin, _ = x @ frame[:3, :3]
     theta = math.atan2(sin, cos)
-    return frame @ joint_transform(d, theta), (d, theta)
+    return frame @ dh_transform(0, 0, d, theta, convention="standard"), (d, theta)
 
 
 def _move_about_x(frame: Array, normal: CommonNormal, z: Array) -> tuple[Array, tuple[float, float]]:
@@ -209,7 +209,7 @@ def _move_about_x(frame: Array, normal: CommonNormal, z: Array) -> tuple[Array, 
     straight = np.pi if normal.case.startswith("anti") else 0.0
     _, minus_sin, cos = z @ frame[:3, :3]
     alpha = math.atan2(-minus_sin, cos) if normal.is_unique else straight
-    return frame @ normal_transform(a, alpha), (a, alpha)
+    return frame @ dh_transform(a, alpha, 0, 0, convention="standard"), (a, alpha)
 
 
 def _relative_pose(frame: Array, T: Array) -> Array:

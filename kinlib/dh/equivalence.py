@@ -24,7 +24,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Booleans, Map, nearest_maps, neighbours
 from kinlib.dh.table import DHTable
-from kinlib.rigid.lie import exp, homogeneous, log
+from kinlib.rigid.lie import homogeneous, log
 
 Verdict = Literal["same", "different", "undecided"]
 
@@ -174,7 +174,7 @@ def equivalent(
     found = [Map(np.ones(one.n), np.zeros(one.n)).measured(one, other.fk(q))]
     if found[0].difference > tolerance and len({*fixed}) < len(CHOICES):
         loose = max(10 * tolerance, NEARLY_PARALLEL_LOSS * near.any())
-        found += nearest_maps(one, other, frozenset(fixed), loose, tolerance)
+        found += nearest_maps(one, other, frozenset(fixed), loose)
     verdict: Verdict = "same"
     reason = ""
     if same := [each for each in found if each.difference <= tolerance]:
@@ -201,13 +201,9 @@ def _without_noise(found: Map, joint_types: str, tolerance: float) -> Map:
         return np.where(np.abs(numbers - near) <= tolerance, near, numbers)
 
     def pose(T: Array) -> Array:
-        whole = np.round(T[:3, :3])  # of frames whose axes are parallel
-        is_rotation = np.array_equal(whole @ whole.T, np.eye(3)) and np.linalg.det(whole) > 0
-        if is_rotation and np.abs(T[:3, :3] - whole).max() <= tolerance:
-            return homogeneous(whole + 0.0, cleaned(T[:3, 3]))
-        omega = cleaned(log(T[:3, :3]))
-        angle = np.asarray(np.linalg.norm(omega))
-        return homogeneous(exp(omega * cleaned(angle, np.pi / 2) / (angle or 1.0)), cleaned(T[:3, 3]))
+        R = np.round(T[:3, :3]) + 0.0  # of frames whose axes are parallel
+        is_near = np.abs(T[:3, :3] - R).max() <= min(tolerance, 0.1)
+        return homogeneous(R if is_near else T[:3, :3], cleaned(T[:3, 3]))
 
     slides = np.array([letter == "P" for letter in joint_types])
     offsets = np.where(slides, cleaned(found.offsets), cleaned(found.offsets, np.pi / 2))

@@ -12,7 +12,6 @@ converted into the other by moving alpha and a by one row, and the constants tha
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial, reduce
@@ -227,7 +226,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         if validate_convention(convention) == self.convention:
             return self
         rows, (step, left) = self.rows.copy(), ((1, -1) if convention == "modified" else (-1, 0))
-        end = normal_transform(*rows[left, :2])
+        end = dh_transform(*rows[left, :2], 0, 0, convention="standard")
         rows[:, :2] = np.roll(rows[:, :2], step, axis=0)
         rows[left + step, :2] = 0.0
         ends = {"tool": end @ self.tool} if convention == "modified" else {"base": self.base @ end}
@@ -373,27 +372,3 @@ def validate_convention(name: Any) -> Convention:
             f"convention must be 'standard' or 'modified'; got {name!r:.60}. Is z_i on the axis of joint i+1 (standard) or i (modified)?"
         )
     return cast("Convention", name)
-
-
-def joint_transform(d: float, theta: float) -> Array:
-    """Compute the motion about and along a joint axis: Z = Rz(theta) Tz(d), (4, 4). With `normal_transform` it forms each row.
-
-    Source: DH example with n = 5, where a row is two axial screws.
-
-    >>> joint_transform(0.5, 0)[:3, 3]
-    array([0. , 0. , 0.5])
-    """
-    c, s = math.cos(theta), math.sin(theta)
-    return np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
-
-
-def normal_transform(a: float, alpha: float) -> Array:
-    """Compute the motion along and about a common normal: X = Tx(a) Rx(alpha), (4, 4); the conventions put it in different rows.
-
-    Source: DH example with n = 5, where a row is two axial screws.
-
-    >>> normal_transform(0.5, 0)[:3, 3]
-    array([0.5, 0. , 0. ])
-    """
-    c, s = math.cos(alpha), math.sin(alpha)
-    return np.array([[1, 0, 0, a], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])
