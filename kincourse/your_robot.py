@@ -172,7 +172,8 @@ class Examination:
         faults += [(each.faults, each.corrected) for each in either if not each.is_a_choice]
         if near := strict.nearest:
             places = np.argwhere(near.rows != strict.table.rows).tolist()
-            faults.insert(0, ([wrong_number(strict.table, near, *place) for place in places], near))
+            numbers = [wrong_number(strict.table, i, k, float(near.rows[i, k])) for i, k in places]
+            faults.insert(0, (numbers, near))
         found = [_explained(strict, *each) for each in faults]
         off = [max(measured_difference(each.corrected.to_chain(), strict.arm)) for each in found]
         several: list[TableExplanation] = []
@@ -182,8 +183,8 @@ class Examination:
         # A mistake beside choices that are enough without it explains nothing.
         told = [{(fault.name, fault.row, fault.column) for fault in each.faults} for each in several]
         several = [each for each, own in zip(several, told, strict=True) if not any(other < own for other in told)]
-        numbers = [sum(fault.name in NUMBERS for fault in each.faults) for each in several]
-        order = sorted(range(len(several)), key=lambda k: (several[k].edits, numbers[k], several[k].is_a_choice))
+        invented = [sum(fault.name in NUMBERS for fault in each.faults) for each in several]
+        order = sorted(range(len(several)), key=lambda k: (several[k].edits, invented[k], several[k].is_a_choice))
         return [several[k] for k in order[:MAX_EXPLANATIONS]]
 
     @cached_property

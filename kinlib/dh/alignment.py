@@ -9,7 +9,7 @@ The offsets are found from the base on: c_k rotates about axis k until the next 
 What remains, base, tool and the zeros of prismatic joints, is linear, so a least-squares step on the poses finds it.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 from typing import Self
@@ -38,8 +38,7 @@ def neighbours(chain: Chain) -> tuple[Array, Array, Array]:
 class AxisInvariants:
     """The invariants of a reference, with which those of other mechanisms with the same joint types are compared.
 
-    tolerance     how far cosines may differ, and lengths on an arm of one metre
-    are_complete  whether mechanisms with the same invariants have the same motions, up to base, tool and zeros
+    tolerance  how far cosines may differ, and lengths on an arm of one metre
     """
 
     def __init__(self, reference: Chain, tolerance: float) -> None:
@@ -52,7 +51,6 @@ class AxisInvariants:
         parallel, pairs = {*self._parallel.tolist()}, combinations(self._skew.tolist(), 2)
         runs = [(i, j) for i, j in pairs if {*range(i + 1, j)} <= parallel and {*types[i + 1 : j + 1]} == {"R"}]
         self._runs = np.array(runs, dtype=int).reshape(-1, 2).T
-        self.are_complete = len(self._skew) + len(self._parallel) == n - 1
         length = tolerance * (1 + float(np.ptp(reference.joint_points, axis=0).max()))
         lengths = np.full(len(self._skew) + len(self._parallel), length)
         along = length / sines[self._runs].min(axis=0, initial=1.0) ** 2
@@ -212,41 +210,42 @@ def _frame(z: Array) -> Array:
     return np.stack([x, cross(z, x), z], axis=-1)
 
 
-def _improved(found: Map, one: Chain, target: Array, fixed: frozenset[str]) -> Map:
-    """Improve a map by least-squares steps on the poses themselves, for all configurations at once, while they help."""
-    q = random_configurations(one.n, COMPARED_CONFIGURATIONS)
+def _improved(start: Map, one: Chain, target: Array, fixed: frozenset[str]) -> Map:
+    """Improve a map by least-squares steps on the poses themselves, for all configurations at once."""
+    values = start.signs * random_configurations(one.n, COMPARED_CONFIGURATIONS) + start.offsets
     is_free = np.repeat([name not in fixed for name in ("base", "zeros", "tool")], [6, one.n, 6])
     # The zero of the first joint is a motion of the base, and that of the last one a motion of the tool.
     is_free[6] &= "base" in fixed
     is_free[-7] &= "tool" in fixed
-    # Translations first: for them the problem is linear, and where rotations are redundant they would share the error.
-    slides = [letter == "P" for letter in one.joint_types]
-    translates = np.array([*[False] * 3, *[True] * 3, *slides, *[False] * 3, *[True] * 3])
-    for free in (is_free & translates, *[is_free] * 6):
-        if found.difference <= 1e-12:
-            break
-        error, J = linearized(found.base, one, found.signs * q + found.offsets, found.tool, target)
-        step = np.linalg.lstsq(J * free, -error, rcond=1e-10)[0] * free
-        if np.abs(step).max() > 1e3:
-            break
-        X, Y = exp(step[:6]) @ found.base, found.tool @ exp(step[-6:])
-        moved = replace(found, base=X, tool=Y, offsets=found.offsets + step[6:-6]).measured(one, target)
-        before, found = found.difference, min(moved, found, key=lambda each: each.difference)
-        if free is is_free and found.difference > 0.5 * before:
-            break
-    return found
+    X, change, Y = fitted(one, values, start.base, start.tool, target, lambda _: is_free, steps=7)
+    moved = replace(start, base=X, tool=Y, offsets=start.offsets + change).measured(one, target)
+    return min(moved, start, key=lambda each: each.difference)
 
 
-def linearized(X: Array, chain: Chain, values: Array, Y: Array, target: Array) -> tuple[Array, Array]:
-    """Compute the errors (6 N,) of the poses X T(values) Y, and their Jacobian (6 N, 6 + n + 6).
+def fitted(  # noqa: PLR0917
+    chain: Chain, values: Array, X: Array, Y: Array, target: Array, scale: Callable[[Array], Array], steps: int
+) -> tuple[Array, Array, Array]:
+    """Fit the poses X T(values + change) Y to a target by least-squares steps, and return X, change (n,) and Y.
 
-    values (N, n), target (N, 4, 4). The error is the small twist of target^-1 X T Y; with M = X T Y and the body Jacobian J of the
-    chain, it changes by Ad(M^-1) dX + Ad(Y^-1) J dvalues + dY.
+    values (N, n), target (N, 4, 4). The scale (6 + n + 6,) of X, the changes and Y, of the changes so far: 0 is fixed, large is cheap.
+    The error is the small twist of target^-1 X T Y; with M = X T Y and the body Jacobian J of the chain, it changes by
+    Ad(M^-1) dX + Ad(Y^-1) J dvalues + dY.
     """
-    M = X @ chain.fk(values) @ Y
-    E = inverse(target) @ M
-    R = E[..., :3, :3]
-    error = np.concatenate([vee((R - np.swapaxes(R, -1, -2)) / 2), E[..., :3, 3]], axis=-1)
-    by_values = adjoint(inverse(Y)) @ chain.body_jacobian(values)
-    J = np.concatenate([adjoint(inverse(M)), by_values, np.broadcast_to(np.eye(6), (len(values), 6, 6))], axis=-1)
-    return error.ravel(), J.reshape(-1, J.shape[-1])
+    change = np.zeros(chain.n)
+    for _ in range(steps):
+        M = X @ chain.fk(values + change) @ Y
+        E = inverse(target) @ M
+        R = E[..., :3, :3]
+        error = np.concatenate([vee((R - np.swapaxes(R, -1, -2)) / 2), E[..., :3, 3]], axis=-1).ravel()
+        by_values = adjoint(inverse(Y)) @ chain.body_jacobian(values + change)
+        by_tool = np.broadcast_to(np.eye(6), (len(values), 6, 6))
+        J = np.concatenate([adjoint(inverse(M)), by_values, by_tool], axis=-1).reshape(error.size, -1)
+        weights = scale(change)
+        step = np.linalg.lstsq(J * weights, J[:, 6:-6] @ change - error, rcond=1e-10)[0] * weights
+        if not np.abs(step).max() < 1e3:  # it diverges
+            break
+        is_done = np.abs(step - np.pad(change, 6)).max() < 1e-13
+        X, Y, change = exp(step[:6]) @ X, Y @ exp(step[-6:]), step[6:-6]
+        if is_done:
+            break
+    return X, change, Y

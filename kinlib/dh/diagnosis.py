@@ -40,9 +40,6 @@ MAX_TOLD, MAX_DIFFERENT_ENTRIES, MAX_ROUNDED_TOL = 3, 8, 2e-2
 """How many equally simple explanations the text lists, and how many different entries; and up to which effect of rounding a
 table is called right, and mistakes are looked for."""
 
-CALLED_EXACT_M = 1e-6
-"""Poses that differ by less are told as equal."""
-
 TAKEN_AS_RIGHT_ANGLES = "Angles that round to those of the table were taken as multiples of 45 degrees."
 
 
@@ -119,10 +116,7 @@ class Diagnosis:
         if len(texts) > 1:
             return ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
         if texts and self.explanations[0].is_a_choice:
-            metres, _ = measured_difference(self.explanations[0].corrected.to_chain(), self.arm)
-            is_told = CALLED_EXACT_M < metres < MAX_ROUNDED_TOL  # more is a choice that is not fixed
-            off = f" to within {format_number(metres, 2)} m" * is_told
-            return [f"The table describes the arm{off} after these changes of choices that are fixed here:", *texts[0]]
+            return ["The table describes the arm after these changes of choices that are fixed here:", *texts[0]]
         if texts and len(texts[0]) > 1:  # other pairs may lead to the same motions, so this one is no fact
             return ["The table agrees with the arm after these changes:", *texts[0]]
         return texts[0] if texts else []
@@ -259,4 +253,4 @@ def _different_entries(table: DHTable, right: DHTable) -> list[Fault]:
     """Describe the entries in which two tables differ, the largest difference first."""
     off = np.abs(right.rows - table.rows)
     places = sorted(np.argwhere(off > 0).tolist(), key=lambda place: -off[tuple(place)])
-    return [wrong_number(table, right, row, column) for row, column in places]
+    return [wrong_number(table, row, column, float(right.rows[row, column])) for row, column in places]

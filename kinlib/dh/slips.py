@@ -105,14 +105,6 @@ IN_A_ROW = "Row {row}: "
 SLIPS_OF_A_ROW = [
     Slip("sign of alpha", IN_A_ROW + "alpha has the wrong sign.", scale([ALPHA], -1), column=ALPHA),
     *(Slip(f"sign of {COLUMNS[k]}", f"{IN_A_ROW}{COLUMNS[k]} has the wrong sign.", scale([k], -1), column=k) for k in (D, A, THETA)),
-    *(
-        Slip(unit, f"{IN_A_ROW}{COLUMNS[k]} is in {unit}, but was read as {right}.", scale([k], factor), scale([k], 1 / factor), k)
-        for unit, right, factor, columns in (
-            ("millimetres", "metres", 1000.0, LENGTHS),
-            ("degrees", "radians", DEGREES, ANGLES),
-        )
-        for k in columns
-    ),
     Slip("a and d swapped", f"{IN_A_ROW}a and d are swapped. {MEASURED}.", swap(A, D), column=A),
     Slip("angles swapped", IN_A_ROW + "theta and alpha are swapped.", swap(THETA, ALPHA), column=THETA),
 ]  # fmt: skip
@@ -225,35 +217,29 @@ def _corrections_of_a_number(
     for row, column in np.ndindex(table.rows.shape):
         if (row, column) in variables and not zeros_are_fixed:
             continue
-        name, typed = COLUMNS[column], float(table.rows[row, column])
         values = np.concatenate([[0.0], lengths, -lengths])
         if column in ANGLES:
             # If an axis is drawn in the opposite direction, an angle becomes its supplement.
             angles = np.concatenate([right[:, column], wrap_angle(np.pi - right[:, column])])
             values = np.concatenate([[0.0, np.pi / 2, -np.pi / 2, np.pi], angles, -angles])
-        kind = "no offset" if (row, column) in variables and not typed else "wrong number"
         least = max(ROUNDING_ERROR, 1.05 * half_unit[row, column])
         for value in {round(value, 12) + 0.0: value for value in values.tolist()}.values():
-            if abs(value - typed) > least:
-                yield Correction(Fault(kind, "", row + 1, name), _set(row, column, value), surcharge=1)
+            if abs(value - table.rows[row, column]) > least:
+                yield Correction(wrong_number(table, row, column, value), _set(row, column, value), surcharge=1)
 
 
-def wrong_number(table: DHTable, right: DHTable, row: int, column: int) -> Fault:
-    """Describe a number of a table that differs from that of the right one, with as many digits as it takes to tell them apart."""
+def _set(row: int, column: int, value: float) -> Change:
+    is_here = np.arange(4) == column
+    return changed_in([row], lambda rows: np.where(is_here, value, rows))
+
+
+def wrong_number(table: DHTable, row: int, column: int, value: float) -> Fault:
+    """Describe a number of a table that should have another value, with as many digits as it takes to tell them apart."""
     factor, unit = (180 / np.pi, "°") if column in ANGLES else (1.0, "")
-    typed, value, name = float(table.rows[row, column]), float(right.rows[row, column]), COLUMNS[column]
+    typed, name = float(table.rows[row, column]), COLUMNS[column]
     numbers = round(factor * value, 9), round(factor * typed, 9)
     texts = [format_number(number, 6) for number in numbers]
     should, has = (f"{text}{unit}" for text in (texts if texts[0] != texts[1] else format_different(*numbers)))
     if (row, column) in joint_entries(table.joints) and not typed:
         return Fault("no offset", f"Row {row + 1}: the offset of {name} is missing, {should}.", row + 1, name)
     return Fault("wrong number", f"Row {row + 1}: {name} should be {should}; the table has {has}.", row + 1, name)
-
-
-def _set(row: int, column: int, value: float) -> Change:
-    def change(rows: Array) -> Array:
-        rows = rows.copy()
-        rows[..., row, column] = value
-        return rows
-
-    return change

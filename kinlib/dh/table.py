@@ -226,7 +226,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         if validate_convention(convention) == self.convention:
             return self
         rows, (step, left) = self.rows.copy(), ((1, -1) if convention == "modified" else (-1, 0))
-        end = dh_transform(*rows[left, :2], 0, 0, convention="standard")
+        end = dh_transform(rows[left, 0], rows[left, 1], 0, 0, convention="standard")
         rows[:, :2] = np.roll(rows[:, :2], step, axis=0)
         rows[left + step, :2] = 0.0
         ends = {"tool": end @ self.tool} if convention == "modified" else {"base": self.base @ end}

@@ -11,13 +11,12 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.tolerances import TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
-from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Map, linearized, nearest_maps
+from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Map, fitted, nearest_maps
 from kinlib.dh.equivalence import ROUGH, equivalent
 from kinlib.dh.parsing import joint_entries
 from kinlib.dh.slips import ANGLES
 from kinlib.dh.table import DHTable, rows_at
 from kinlib.rigid.angles import wrap_angle
-from kinlib.rigid.lie import exp
 
 ALL_DECIMALS = 12
 """A number with so many decimals was not rounded by a person."""
@@ -62,8 +61,8 @@ def with_right_angles(table: DHTable, half_unit: Array) -> DHTable:
     """Return a table whose angles are exactly the multiples of 45 degrees that they have with at least three digits, such as 1.57."""
     right = np.round(table.rows / (np.pi / 4)) * (np.pi / 4)
     off = np.abs(right - table.rows)
-    is_angle, is_near = np.arange(4) % 2 == 1, off <= np.minimum(half_unit, MAX_TYPED_PI_ERROR)
-    return table.changed(rows=np.where(is_angle & is_near & (off > 1e-12), right, table.rows))
+    is_near = (off > 1e-12) & (off <= np.minimum(half_unit, MAX_TYPED_PI_ERROR))
+    return table.changed(rows=np.where(is_near & (right != 0) & (np.arange(4) % 2 == 1), right, table.rows))
 
 
 def _shortest(number: float) -> str:
@@ -101,8 +100,9 @@ def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: 
     for start in [Map(np.ones(arm.n), np.zeros(arm.n)), *rough]:
         change = _few_changes(table, arm, start, fixed, np.where(is_free, 1.0, half))
         is_changed = ~is_free & (np.abs(change) > 1.05 * half)
-        change[:, ANGLES] = wrap_angle(change[:, ANGLES])  # a fit may have made full turns
-        nearest = table.changed(rows=np.where(is_changed, (table.rows + change).round(7), table.rows))
+        right = (table.rows + change).round(7)
+        right[:, ANGLES] = wrap_angle(right[:, ANGLES])  # a fit may have made full turns
+        nearest = table.changed(rows=np.where(is_changed, right, table.rows))
         if equivalent(nearest, arm, fixed=fixed, tolerance=tolerance).verdict == "same":
             return nearest
     return None
@@ -123,14 +123,11 @@ def _few_changes(table: DHTable, arm: Chain, start: Map, fixed: frozenset[str], 
     X, Y, target = start.base @ table.base, table.tool @ start.tool, arm.fk(q)
     base, tool = (np.full(6, float(name not in fixed)) for name in ("base", "tool"))
     # Of parallel axes, any d can change; it is the one that is given.
-    weight, units = np.where(table.rows[:, order] == 0, 0.1, 1.0).ravel(), unit[:, order].ravel()
-    change = np.zeros(units.size)
-    for _ in range(20):
-        error, J = linearized(X, motions, values + change, Y, target)
-        scale = np.concatenate([base, units * weight, tool])
-        step = np.linalg.lstsq(J * scale, J[:, 6:-6] @ change - error, rcond=1e-10)[0] * scale
-        if not np.abs(step).max() < 1e3:  # it diverges
-            break
-        X, Y, change = exp(step[:6]) @ X, Y @ exp(step[-6:]), step[6:-6]
-        weight = np.abs(change / units) + 1e-2
+    first, units = np.where(table.rows[:, order] == 0, 0.1, 1.0).ravel(), unit[:, order].ravel()
+
+    def scale(change: Array) -> Array:
+        weights = np.abs(change / units) + 1e-2 if change.any() else first
+        return np.concatenate([base, units * weights, tool])
+
+    change = fitted(motions, values, X, Y, target, scale, steps=20)[1]
     return change.reshape(-1, 4)[:, np.argsort(order)]

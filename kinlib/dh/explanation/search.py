@@ -21,7 +21,7 @@ from kinlib.dh.alignment import AxisInvariants
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import CHOICES, Equivalence, describe_pose, equivalent, format_offset
 from kinlib.dh.parsing import COLUMNS, joint_entries
-from kinlib.dh.slips import NUMBERS, Fault, corrections, starting_tables, wrong_number
+from kinlib.dh.slips import NUMBERS, Fault, corrections, starting_tables
 from kinlib.dh.table import DHTable, joint_axes, row_transforms
 from kinlib.rigid.angles import wrap_angle
 
@@ -86,9 +86,8 @@ def explain_by_slips(  # noqa: PLR0917
                 corrected = start.changed(rows=rows)
                 if equivalent(corrected, arm, fixed=fixed, tolerance=tolerance).verdict == "same":
                     least = price[0]
-                    told = [*faults, *(_described(fault, start, corrected) for fault in slips)]
                     edits = price[0] + len(faults)
-                    each = TableExplanation(told, corrected, edits)
+                    each = TableExplanation([*faults, *slips], corrected, edits)
                     if not any(each.says_as_much(other) for _, other in found):
                         found.append(((edits, *price[1:]), each))
     fewest = min((price[0] for price, _ in found), default=0)
@@ -126,13 +125,6 @@ def explain_by_choices(table: DHTable, found: Equivalence, names: Collection[str
     return TableExplanation(faults, corrected, len(faults) + len(ends), is_a_choice=True)
 
 
-def _described(fault: Fault, table: DHTable, corrected: DHTable) -> Fault:
-    """Return a fault with its text: that of a wrong number depends on the right one."""
-    if fault.text or not fault.row or not fault.column:
-        return fault
-    return wrong_number(table, corrected, fault.row - 1, COLUMNS.index(fault.column))
-
-
 def _candidates(  # noqa: PLR0917
     table: DHTable, arm: Chain, right: Array, fixed: frozenset[str], tolerance: float, count: int, half_unit: Array
 ) -> list[tuple[Price, list[Fault], Array]]:
@@ -162,10 +154,7 @@ def _candidates(  # noqa: PLR0917
         for place in np.unique(places[:, 1]):
             is_here = places[:, 1] == place
             rows[is_here] = known[place].change(rows[is_here])
-    values, own = (invariants.of(*joint_axes(table, each)) for each in (rows, table.rows))
-    agree = invariants.agree(values, "signs" in fixed)
-    if not fixed and invariants.are_complete:  # what leaves all of them as they are leaves the motions as they are
-        agree &= ~np.isclose(values, own, rtol=1e-9, atol=1e-10).all(axis=1)
+    agree = invariants.agree(invariants.of(*joint_axes(table, rows)), "signs" in fixed)
     # A number that differs from the one after the first correction by no more than its digits is no wrong one.
     agree &= (invents[places[:, -1]] == 0) | (np.abs(rows - start) > 1.05 * half_unit).any(axis=(1, 2))
     if fixed >= {*CHOICES} and agree.any():
