@@ -285,7 +285,7 @@ def _steps(found: FrameAssignment) -> Iterator[AssignmentStep]:
         others = "Any other frame, with other numbers in the base and in the first row."
     yield AssignmentStep("first", 0, text, others)
     for pair, normal in enumerate(normals):
-        yield from _explain_link(chain, frames[pair : pair + 2], pair, normal, standard)
+        yield from _explain_link(frames[pair : pair + 2], pair, normal, standard)
     yield _explain_last_frame(chain, table, frames)
     for i, (a, alpha, d, theta) in enumerate(format_rows(table, variable="q_{}".format), start=1):
         k = i if standard else i - 1
@@ -305,21 +305,14 @@ def _joints(numbers: Sequence[int]) -> str:
     return f"joints {names} are" if len(numbers) > 1 else f"joint {names} is"
 
 
-def _explain_link(
-    chain: Chain, frames: Array, pair: int, normal: CommonNormal, standard: bool
-) -> Iterator[AssignmentStep]:
+def _explain_link(frames: Array, pair: int, normal: CommonNormal, standard: bool) -> Iterator[AssignmentStep]:
     previous, T = frames
     i, j, frame = pair + 1, pair + 2, pair + 1
     length = format_number(float(np.linalg.norm(normal.end - normal.start)))
     text, others = CASES[normal.case].format(i=i, j=j, a=length), ALTERNATIVES[normal.case]
     if normal.is_nearly_parallel:
-        text += f" These axes are nearly parallel, {normal.sine:.1e} rad apart"
-        # A prismatic axis is placed beside its neighbour.
-        if normal.has_length or "P" not in chain.joint_types[pair : pair + 2]:
-            text += f", where DH is ill-conditioned: if one of them moves by a millimetre, their normal moves by {1e-3 / normal.sine:.2g} m"
-            text += " along them, so the last digits of d are lost"
-            others = others if normal.is_unique else "The distant normal."
-        text += f". Here they are taken as {normal.case}."
+        text += f" These axes are nearly parallel, {normal.sine:.1e} rad apart, where DH is ill-conditioned: their normal may be "
+        text += f"so far away that the last digits of d are lost. Here they are taken as {normal.case}."
     yield AssignmentStep("normal", frame, text, others)
     reason = "where the common normal meets it"
     if not normal.is_unique:

@@ -14,7 +14,7 @@ from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Map, fitted, nearest_maps
 from kinlib.dh.equivalence import ROUGH, equivalent
 from kinlib.dh.parsing import joint_entries
-from kinlib.dh.slips import ANGLES
+from kinlib.dh.slips import ANGLES, LENGTHS
 from kinlib.dh.table import DHTable, rows_at
 from kinlib.rigid.angles import wrap_angle
 
@@ -27,30 +27,24 @@ MAX_TYPED_PI_ERROR = 2e-3
 
 def typed_half_units(rows: Array) -> tuple[Array, str]:
     """Read from the digits of a table how far its numbers may be off, (m, 4) -> half units (m, 4), and the units in words."""
-    lengths, angles = rows[:, [0, 2]], rows[:, [1, 3]]
-    # A length in millimetres was converted, so its last digit in metres is lost, as is that of an angle in degrees.
-    plain = lengths.round(ALL_DECIMALS)
-    lengths = np.where(np.abs(plain - lengths) <= 4 * np.spacing(np.abs(lengths)), plain, lengths)
+    lengths, angles = rows[:, LENGTHS].round(ALL_DECIMALS), rows[:, ANGLES]
     # Nobody rounds right angles; but the files of arms have pi / 2 with five digits.
     is_right = (np.abs(np.sin(2 * angles)) < TYPED_PI_ERROR) & (angles != 0)
-    typed = angles[~is_right & (angles != 0)]
-    degrees, unit = np.degrees(typed), 1.0
-    length_decimals, angle_decimals = _decimals(lengths), _decimals(typed)
-    is_in_degrees = (np.abs(degrees - degrees.round(6)) <= 4 * np.spacing(np.abs(degrees))).all()
-    if is_in_degrees and _decimals(degrees.round(6)) + 2 < angle_decimals:
-        angle_decimals, unit = _decimals(degrees.round(6)), np.radians(1)
+    typed = angles[~is_right & (angles != 0)].round(ALL_DECIMALS)
+    angle_decimals, degree_decimals, unit = _decimals(typed), _decimals(np.degrees(typed).round(9)), 1.0
+    if degree_decimals + 3 < angle_decimals:
+        angle_decimals, unit = degree_decimals, np.radians(1)
+    # Programs print four significant digits: if no number has more, those with four of them may end there.
+    digits = [len(_shortest(x).replace(".", "").lstrip("0")) for x in lengths.ravel()]
+    ends = [_decimals(x) for x, count in zip(lengths.ravel(), digits, strict=True) if count == max(digits) == 4]
+    length_decimals = min(ends, default=_decimals(lengths))
     # Zeros alone do not show how many decimals they have.
     if not typed.size:
         angle_decimals = ALL_DECIMALS if is_right.any() else length_decimals
     if not lengths.any():
         length_decimals = angle_decimals
-    # Programs print four significant digits: if no number has more, one with four of them may end there.
-    digits = [len(_shortest(x).replace(".", "").lstrip("0")) for x in lengths.ravel()]
-    ends = [max(digits) == count == 4 for count in digits]
-    own = [_decimals([x]) if end else length_decimals for x, end in zip(lengths.ravel(), ends, strict=True)]
-    half = np.empty(rows.shape)
-    half[:, [0, 2]] = (0.5 * 10.0 ** -np.array(own, dtype=float)).reshape(-1, 2)
-    half[:, [1, 3]] = np.maximum(0.5 * unit * 10.0**-angle_decimals, TYPED_PI_ERROR * (is_right | (not typed.size)))
+    half = np.full(rows.shape, 0.5 * 10.0**-length_decimals)
+    half[:, ANGLES] = np.maximum(0.5 * unit * 10.0**-angle_decimals, TYPED_PI_ERROR * (is_right | (not typed.size)))
     words = [f"lengths to {10.0**-length_decimals:g} m"] if length_decimals < ALL_DECIMALS else []
     if angle_decimals < ALL_DECIMALS:
         words.append(f"angles to {10.0**-angle_decimals:g}{' rad' if unit == 1 else '°'}")
@@ -83,9 +77,9 @@ def rounding_effect(table: DHTable, half_unit: Array) -> float:
     The reach is the sum of all lengths, with the tool, and with prismatic joints moved by pi metres; it is at least 1, because a
     rotation matrix changes by the angle itself.
     """
-    lengths = np.abs(table.rows[:, [0, 2]]) + half_unit[:, [0, 2]]
+    lengths = np.abs(table.rows[:, LENGTHS]) + half_unit[:, LENGTHS]
     reach = lengths.sum() + np.linalg.norm(table.tool[:3, 3]) + np.pi * table.joints.count("P")
-    return float(half_unit[:, [0, 2]].sum() + max(1.0, reach) * half_unit[:, [1, 3]].sum())
+    return float(half_unit[:, LENGTHS].sum() + max(1.0, reach) * half_unit[:, ANGLES].sum())
 
 
 def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: Array, noise: float) -> DHTable | None:
