@@ -21,17 +21,8 @@ from kinlib.arrays.tolerances import EQUIVALENCE_TOL, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.equivalence import CHOICES, NEARLY_PARALLEL_LOSS, Equivalence, equivalent, measured_difference
-from kinlib.dh.explanation.rounding import (
-    nearest_table,
-    rounding_effect,
-    typed_half_units,
-    with_right_angles,
-)
-from kinlib.dh.explanation.search import (
-    TableExplanation,
-    explain_by_choices,
-    explain_by_slips,
-)
+from kinlib.dh.explanation.rounding import nearest_table, rounding_effect, typed_half_units, with_right_angles
+from kinlib.dh.explanation.search import TableExplanation, explain_by_choices, explain_by_slips
 from kinlib.dh.slips import NUMBERS, Fault, wrong_number
 from kinlib.dh.table import Convention, DHTable
 from kinlib.urdf.chains import load_urdf
@@ -47,9 +38,8 @@ TAKEN_AS_RIGHT_ANGLES = "Angles that round to those of the table were taken as m
 class Diagnosis:
     """The result of a diagnosis.
 
-    verdict       "right"; "rounded", if the table differs from the arm by no more than its numbers are rounded; "undecided", if
-                  rounding or nearly parallel axes may explain the difference, and no mistake does; or "wrong"
-
+    verdict       "right"; "rounded", if the table differs from the arm by no more than the rounding of its numbers can, and 2 cm;
+                  "undecided", if rounding or nearly parallel axes may explain the difference, and no mistake does; or "wrong"
     table, arm    the table that was diagnosed, and the arm
     comparison    of this table and the arm, up to the choices that are not fixed; if the table is "rounded", to within the rounding
     explanations  all explanations that are equally simple, the most plausible one first; empty if the table is right

@@ -1,8 +1,9 @@
-"""What the digits of a table's numbers say, and the numbers nearest to them with which the table would describe an arm.
+"""What the digits of a table's numbers say, and the few other numbers with which the table would describe an arm.
 
 A number that is typed as 0.43 stands for everything between 0.425 and 0.435, so a table with rounded numbers does not have the
 poses of its arm, although nobody made a mistake. All lengths of a table are taken to have as many decimals as the one that has
-the most, and so are all angles, in radians or in degrees, whichever takes fewer.
+the most, and so are all angles, in radians or in degrees, whichever takes fewer. The sum of what all of them can change is the
+bound within which a table is right to the digits that are printed.
 """
 
 import numpy as np
