@@ -146,7 +146,7 @@ def _starts(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> It
     s, off = s[admitted], off[admitted]
     offsets, R, possible = _rotated(one, other, s, fixed, loose / 2)
     zeros = (np.abs(offsets) > max(loose, SAME_DISTANCE_RAD)).sum(axis=1)
-    for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros, off > 0.01)) if possible[k]][:2]:
+    for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros, off > 0.01)) if possible[k]][:4]:
         yield s[k], offsets[k], R[k]
 
 

@@ -20,7 +20,7 @@ from kinlib.arrays.formatting import format_number
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.equivalence import CHOICES, NEARLY_PARALLEL_LOSS, Equivalence, equivalent, measured_difference
+from kinlib.dh.equivalence import CHOICES, Equivalence, equivalent, measured_difference
 from kinlib.dh.explanation.rounding import nearest_table, rounding_effect, typed_half_units, with_right_angles
 from kinlib.dh.explanation.search import TableExplanation, explain_by_choices, explain_by_slips
 from kinlib.dh.slips import NUMBERS, Fault, wrong_number
@@ -231,8 +231,6 @@ def _with_nearest(found: Diagnosis, fixed: frozenset[str], half: Array, noise: f
         nearest, up_to = nearest_table(table, found.arm, frozenset(), half, noise), f", up to {', '.join(CHOICES)},"
     if nearest is None:
         return found
-    if np.abs(nearest.rows - table.rows).max() < NEARLY_PARALLEL_LOSS:
-        return replace(found, verdict="undecided")  # as small as what nearly parallel axes lose
     faults = _different_entries(table, nearest)
     if len(faults) <= 2 and not up_to:
         return replace(found, explanations=[TableExplanation(faults, nearest, 2 * len(faults))])

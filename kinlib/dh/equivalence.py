@@ -178,7 +178,7 @@ def equivalent(
     verdict: Verdict = "same"
     reason = ""
     if same := [each for each in found if each.difference <= tolerance]:
-        best = _without_noise(min(same, key=lambda each: _description_length(each, tolerance)), letters, tolerance)
+        best = min((_without_noise(each, letters, tolerance) for each in same), key=_description_length)
     else:
         best = min(found, key=lambda each: each.difference)
         size = 1 + max(np.abs(np.append(arm.joint_points, arm.home[None, :3, 3], axis=0)).max() for arm in (one, other))
@@ -210,11 +210,10 @@ def _without_noise(found: Map, joint_types: str, tolerance: float) -> Map:
     return replace(found, offsets=offsets, base=pose(found.base), tool=pose(found.tool))
 
 
-def _description_length(found: Map, tolerance: float) -> tuple[int, float]:
-    """Count the changes that a map makes (signs, zeros, base, tool), and measure how far base and tool are from identity."""
+def _description_length(found: Map) -> tuple[int, float]:
+    """Count the changes that a map without noise makes, and measure how far base and tool are from the identity."""
     distances = [float(np.abs(T - np.eye(4)).sum()) for T in (found.base, found.tool)]
-    joints = np.sum(found.signs < 0) + np.sum(np.abs(found.offsets) > tolerance)
-    return int(joints) + sum(distance > tolerance for distance in distances), sum(distances)
+    return int(np.count_nonzero([*(found.signs < 0), *found.offsets, *distances])), sum(distances)
 
 
 def _largest_axis_difference(one: Chain, other: Chain, is_near: Booleans, tolerance: float) -> str:

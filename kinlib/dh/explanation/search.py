@@ -142,9 +142,7 @@ def _candidates(  # noqa: PLR0917
     ]
     rows = np.array([each.change(table.rows) for each in known])
     invents = np.array([each.fault.name in NUMBERS for each in known], dtype=int)
-    # Two rows that change places are two edits.
-    most = [2 if each.fault.name == "rows swapped" else rows[0].size for each in known]
-    edits = np.minimum((np.abs(rows - table.rows) > 1e-12).sum(axis=(1, 2)), most) + [each.surcharge for each in known]
+    edits = (np.abs(rows - table.rows) > 1e-12).sum(axis=(1, 2)) + [each.surcharge for each in known]
     invariants = AxisInvariants(arm, FILTER_TOL_FACTOR * tolerance)
     places, start = np.arange(len(known))[:, None], table.rows
     if count > 1:
