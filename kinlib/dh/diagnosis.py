@@ -106,7 +106,9 @@ class Diagnosis:
         if len(texts) > 1:
             return ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
         if texts and self.explanations[0].is_a_choice:
-            return ["The table describes the arm after these changes of choices that are fixed here:", *texts[0]]
+            digits = " to the digits that are printed" * bool(self.rounding)
+            head = f"The table describes the arm{digits} after these changes of choices that are fixed here:"
+            return [head, *texts[0]]
         if texts and len(texts[0]) > 1:  # other pairs may lead to the same motions, so this one is no fact
             return ["The table agrees with the arm after these changes:", *texts[0]]
         return texts[0] if texts else []
