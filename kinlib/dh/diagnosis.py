@@ -31,6 +31,9 @@ MAX_TOLD, MAX_DIFFERENT_ENTRIES, MAX_ROUNDED_TOL = 3, 8, 2e-2
 """How many equally simple explanations the text lists, and how many different entries; and up to which effect of rounding a
 table is called right, and mistakes are looked for."""
 
+CLEARLY_LESS, SEVERAL_UNITS = 4, 5
+"""The part of a difference that is left without a wrong number, and by how many half units this one is off at least."""
+
 TAKEN_AS_RIGHT_ANGLES = "Angles that round to those of the table were taken as multiples of 45 degrees."
 
 
@@ -188,8 +191,15 @@ def diagnose(
         is_other = np.abs(plain.rows - table.rows).max() > TYPED_PI_ERROR
         found = replace(found, rounding=words, note=TAKEN_AS_RIGHT_ANGLES * bool(is_other))
     near = equivalent(plain, arm, fixed=names, tolerance=noise)
-    if near.verdict == "same" and near.difference <= MAX_ROUNDED_TOL:
-        return replace(found, verdict="rounded", comparison=near, note="")
+    if near.verdict == "same":
+        # A number that is off by several of its units is no rounded one, if nearly all of the difference goes with it. Up to free
+        # choices, rounded tables have such numbers, too.
+        bound, clear = near.difference / CLEARLY_LESS, list[TableExplanation]()
+        if bound > exact and names >= {*CHOICES}:
+            clear = explain_by_slips(plain, reference, names, bound, 1, SEVERAL_UNITS * half)
+        if clear or near.difference <= MAX_ROUNDED_TOL:
+            found = replace(found, verdict="wrong" if clear else "rounded", comparison=near, explanations=clear)
+            return replace(found, note=found.note * bool(clear))
     if compared.verdict == "undecided":
         return replace(found, verdict="undecided")
     is_near, is_typed = near.verdict == "same", bool((plain.rows != table.rows).any())

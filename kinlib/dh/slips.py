@@ -89,6 +89,11 @@ SLIPS_OF_A_TABLE = [
     *(Slip(f"sign of {COLUMNS[k]}", f"Every {COLUMNS[k]} has the wrong sign.", scale([k], -1), column=k) for k in (D, A, THETA)),
     Slip("a and d swapped", f"The columns a and d are swapped: {MEASURED}.", swap(A, D), column=A),
     Slip("angles swapped", "The columns theta and alpha are swapped.", swap(THETA, ALPHA), column=THETA),
+    *(
+        Slip("column shifted", f"The columns a and alpha are one row too {way}: a_{{{{i-1}}}} and a_i were confused.",
+             roll([A, ALPHA], by), roll([A, ALPHA], -by))
+        for by, way in ((1, "low"), (-1, "high"))
+    ),
     Slip("rows shifted", "The rows are one row too low, and the last one is at the top.", roll(range(4), 1), roll(range(4), -1)),
     Slip("rows shifted", "The rows are one row too high, and the first one is at the bottom.", roll(range(4), -1), roll(range(4), 1)),
     *(
@@ -224,7 +229,7 @@ def _corrections_of_a_number(
             values = np.concatenate([[0.0, np.pi / 2, -np.pi / 2, np.pi], angles, -angles])
         least = max(ROUNDING_ERROR, 1.05 * half_unit[row, column])
         for value in {round(value, 12) + 0.0: value for value in values.tolist()}.values():
-            if abs(value - table.rows[row, column]) > least:
+            if abs(abs(value) - abs(table.rows[row, column])) > least:  # another sign is a slip of its own
                 yield Correction(wrong_number(table, row, column, value), _set(row, column, value), surcharge=1)
 
 

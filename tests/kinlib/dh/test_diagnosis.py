@@ -185,6 +185,9 @@ def test_rounded_numbers_are_right_to_their_digits_and_a_mistake_is_found_throug
         "This table describes the arm to the digits that are printed (lengths to 0.0001 m); their poses differ by"
     )
     assert "Row 5: d should be 0.09465; the table has 0.098." in str(diagnose(with_entries(four, (5, "d", 0.098)), UR5))
+    three = UR5.changed(rows=np.where(np.arange(4) % 2, UR5.rows, UR5.rows.round(3)))
+    found = diagnose(with_entries(three, (4, "d", 0.112)), three, CHOICES)  # less than all rounding together
+    assert str(found) == "Row 4: d should be 0.109; the table has 0.112."
     noise = np.random.default_rng(0).normal(size=(6, 4)) * 2e-5
     found = diagnose(with_entries(UR5, (5, "d", 0.11465)), UR5.changed(rows=UR5.rows + noise), CHOICES)
     assert (found.faults[0].row, found.faults[0].column) == (5, "d")
