@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import accumulate
 
 import numpy as np
@@ -287,7 +287,8 @@ def _steps(found: FrameAssignment) -> Iterator[AssignmentStep]:
     for pair, normal in enumerate(normals):
         yield from _explain_link(frames[pair : pair + 2], pair, normal, standard)
     yield _explain_last_frame(chain, table, frames)
-    for i, (a, alpha, d, theta) in enumerate(format_rows(table, variable="q_{}".format), start=1):
+    length = partial(format_number, digits=6)  # the numbers of the table, and not their beginnings
+    for i, (a, alpha, d, theta) in enumerate(format_rows(table, length=length, variable="q_{}".format), start=1):
         k = i if standard else i - 1
         yield AssignmentStep("row", i, f"Row {i}: a_{k} = {a}, alpha_{k} = {alpha}, d_{i} = {d}, theta_{i} = {theta}.")
     is_exact = found.accuracy < 1e-11
