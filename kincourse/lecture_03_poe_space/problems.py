@@ -30,6 +30,7 @@ from kincourse.expressions.screws import (
     tilted,
     values_in_radians,
 )
+from kincourse.lecture_03_poe_space.lettered_arm import draw_lettered_joints
 from kincourse.mistakes.factor_order import factor_order_mistakes
 from kincourse.problem import ArmSampler, Problem, problem
 from kincourse.sampling.arms import are_distinguishable
@@ -348,7 +349,7 @@ def home_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         f"an axis of {{s}}, and the letter beside it is its length. Give the home pose $M = T_{{sb}}$ as a matrix of formulas "
         f"in {_listed(robot)}.",
         further="Which entries of $M$ stay the same if {b} is moved to the wrist?",
-        figure=partial(draw_joints, robot.chain, letters=robot.letters),
+        figure=partial(draw_lettered_joints, robot.chain, robot.letters),
         given={"L": _symbols(robot)},
         answer=PoseExpressionAnswer(_symbolic_home(robot), _symbols(robot)),
         solution=solution,
@@ -386,7 +387,7 @@ def screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         statement=f"This is the arm of Problem 9. Give its screw axes $S_1$ to $S_{n}$ in {{s}}, in rows: {n} rows of six formulas "
         f"in {_listed(robot)}.",
         further="Two joints have parallel axes. Which entries of their screws must agree?",
-        figure=partial(draw_joints, robot.chain, letters=robot.letters),
+        figure=partial(draw_lettered_joints, robot.chain, robot.letters),
         given={"L": _symbols(robot)},
         answer=ScrewExpressionsAnswer(_symbolic_screws(robot), _symbols(robot)),
         solution=solution,
@@ -430,7 +431,7 @@ def kinematics_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         f"the lengths {_listed(robot)}, and returns $T(q)$. The check calls it with values of its own.",
         method="The screws $S_i$ are those of Problem 10, and $M$ is that of Problem 9.",
         further="Which entries of $T(q)$ do not depend on the last joint value?",
-        figure=partial(draw_joints, robot.chain, letters=robot.letters),
+        figure=partial(draw_lettered_joints, robot.chain, robot.letters),
         answer=Function(lambda q, lengths: robot.with_lengths(lengths).fk(q), PoseAnswer(robot.chain.home), inputs),
         solution=pose_at,
         advice={

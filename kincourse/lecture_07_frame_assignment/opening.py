@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from kincourse.axis_relations import draw_axis_relation
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.figures.axis_relations import draw_axis_relation
 from kinlib.view.viewer.pictures import Pictures, film, share
 
 

@@ -17,10 +17,8 @@ from typing import TYPE_CHECKING, Any
 from kinlib.view.drawing.picture import Gallery, Picture
 from kinlib.view.drawing.plot import plot
 from kinlib.view.figures.arm import draw_arm, draw_joints
-from kinlib.view.figures.axis_relations import draw_axis_relation
 from kinlib.view.figures.frames import draw_frames
 from kinlib.view.figures.linkage import draw_linkage
-from kinlib.view.figures.point_velocity import draw_point_velocity
 
 if TYPE_CHECKING:
     from kinlib.view.browser import show
@@ -36,11 +34,9 @@ __all__ = [
     "Picture",
     "assign",
     "draw_arm",
-    "draw_axis_relation",
     "draw_frames",
     "draw_joints",
     "draw_linkage",
-    "draw_point_velocity",
     "drive",
     "explore",
     "film",

@@ -32,11 +32,6 @@ MACHINE_AXES = [
 MACHINE_MARKS = {"A": MACHINE[2], "B": MACHINE[3], "T": MACHINE[4]}
 
 
-def lettered(chain):
-    steps = np.diff([(0, 0, 0), *chain.joint_points, chain.home[:3, 3]], axis=0)
-    return view.draw_joints(chain, letters=[f"L_{i}" * bool(step.any()) for i, step in enumerate(steps)])
-
-
 def at_stop(player, stop):
     player.at = stop
     return player
@@ -48,9 +43,6 @@ PICTURES = {
     "joints": lambda: view.draw_joints(RPPR, tool=True),
     "helical joints": lambda: view.draw_joints(kl.robots.hrr()),
     "frames": lambda: view.draw_frames(FRAMES, numbers=True),
-    "skew axes": lambda: view.draw_axis_relation((Z, (0, 0, 0)), ((0, 0.6, 0.8), X)),
-    "parallel axes": lambda: view.draw_axis_relation((Z, (0, 0, 0)), (Z, X)),
-    "moving normal": lambda: view.draw_axis_relation((Z, (0, 0, 0)), ((0, 0.2, 0.98), (0.5, 0.4, 0.5)), film=True),
     "row": lambda: at_stop(view.play_row(ROW, convention="standard"), 4).picture(),
     "row, motion by motion": lambda: at_stop(view.play_row(ROW), 2).picture(),
     "factors": lambda: at_stop(view.play_walk(WALK), 3).picture(),
@@ -60,9 +52,6 @@ PICTURES = {
     "assignment, a normal": lambda: draw_assignment(ASSIGNED, 3),
     "assignment, a row": lambda: draw_assignment(ASSIGNED, 24),
     "assignment": lambda: draw_assignment(ASSIGNED),
-    "lettered arm": lambda: lettered(kl.robots.plain_arm()),
-    "velocity": lambda: view.draw_point_velocity((0, 0.3, 1), (1, 2, 0.5)),
-    "moment": lambda: view.draw_point_velocity((0, 0.3, 1), (1, 2, 0.5), moment=True),
     "four-bar": lambda: view.draw_linkage(FOUR_BAR, [1, 0.3, 2, 0], ghost=CLOSED[1]),
     "open slider-crank": lambda: view.draw_linkage(SLIDER, [0.5, 0.2, 3, 0]),
     "hexapod": lambda: view.draw_linkage(kl.linkages.stewart_gough(), np.zeros(36)),

@@ -1,6 +1,6 @@
 """Drawings of robots in any configuration: bodies, joints, screw axes and frames, and the text alternative of such a drawing."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -83,62 +83,30 @@ def draw_arm(
     return canvas.picture(text, caption, cropped=around is None)
 
 
-def draw_joints(chain: Chain, tool: bool = False, letters: Sequence[str] = ()) -> Picture:
+def draw_joints(chain: Chain, tool: bool = False) -> Picture:
     """Draw an arm at home so that its screw axes can be read off: each joint with its number and its positive direction.
 
-    tool     whether the links are drawn, and the frame {b}
-    letters  (n + 1,) names of the lengths, "L_1" and so on: from the origin of {s} to joint 1, from joint to joint, and to {b}; ""
-             for points that coincide. They are drawn beside the links in place of numbers
+    tool  whether the links are drawn, and the frame {b}
 
-    Without letters, the grid has numbers. A dotted line runs from each joint's point, and from the origin of {b}, down to the
-    floor; its foot is labelled with x and y, and the line with the height.
+    A dotted line runs from each joint's point, and from the origin of {b}, down to the floor; its foot is labelled with x and y,
+    and the line with the height.
 
     >>> "joint 2 prismatic along z" in draw_joints(kl.robots.rpr()).alt
     True
-    >>> print(draw_joints(kl.robots.plain_arm(), letters=["", "L_1", "", "L_2", "L_3"]).alt)      # doctest: +NORMALIZE_WHITESPACE
-    An arm with 4 joints (RRPR) at home. From the origin of {s}: there joint 1 (revolute, axis along z);
-    L_1 along z to joint 2 (revolute, axis along -y); there joint 3 (prismatic, axis along x);
-    L_2 along x to joint 4 (revolute, axis along x); L_3 along x to the origin of {b}.
-    In {s}, the axes of {b} are x = (1, 0, 0), y = (0, 1, 0), z = (0, 0, 1).
     """
-    (branch,), path = branches(chain), stations(chain)
-    home, tool = np.zeros(chain.n), tool or bool(letters)
+    (branch,), path, home = branches(chain), stations(chain), np.zeros(chain.n)
     measured = path[1:] if tool else path[1:-1]
-    seen = path if letters else np.concatenate([np.zeros((1, 3)), measured, measured * (1, 1, 0)])
+    seen = np.concatenate([np.zeros((1, 3)), measured, measured * (1, 1, 0)])
     canvas = Canvas(seen)
-    if not letters:
-        canvas.floor(seen, numbers=True)
-        canvas.measure(measured, ORANGE)
+    canvas.floor(seen, numbers=True)
+    canvas.measure(measured, ORANGE)
     if tool:
         canvas.line(path, LINK_GREY, 5.0)
-    for start, end, letter in zip(path[:-1], path[1:], letters, strict=False):
-        right, up = canvas.along(start, end)  # across its link, a letter is nearer to it than to any other one
-        places = [(-far * up, far * right) for far in (14, -14, 21, -21, 28, -28)]
-        if letter:
-            canvas.label((start + end) / 2, f"${letter}$", ORANGE, places, size=12)
     draw_joint_bodies(canvas, chain, chain.link_poses(home))
-    _draw_axes(canvas, branch, chain.link_poses(home), "S" if letters else "", VIOLET)
+    _draw_axes(canvas, branch, chain.link_poses(home), "", VIOLET)
     for name, T in [("s", np.eye(4)), *[("b", chain.home)] * tool]:
         canvas.triad(T, name, 0.16 * canvas.size)
-    if letters:
-        return canvas.picture(_describe_lettered(chain, letters, np.diff(path, axis=0)), cropped=True)
     return canvas.picture(describe_arm(chain, home, frames={"b": chain.home} if tool else None), cropped=True)
-
-
-def _describe_lettered(chain: Chain, letters: Sequence[str], steps: Array) -> str:
-    kinds = zip(chain.joint_types, chain.lines.axis, strict=True)
-    joints = [
-        f"joint {i} ({JOINT_KINDS[kind]}, axis along {direction_text(axis)})" for i, (kind, axis) in enumerate(kinds, 1)
-    ]
-    walk = "; ".join(
-        f"{letter} along {direction_text(step / np.linalg.norm(step))} to {there}" if letter else f"there {there}"
-        for letter, step, there in zip(letters, steps, [*joints, "the origin of {b}"], strict=True)
-    )
-    axes = ", ".join(
-        f"{name} = {vector_text(axis)}" for name, axis in zip("xyz", chain.home[:3, :3].T.round(6), strict=True)
-    )
-    head = f"An arm with {chain.n} joints ({chain.joint_types}) at home. From the origin of {{s}}: {walk}."
-    return f"{head} In {{s}}, the axes of {{b}} are {axes}."
 
 
 def describe_arm(

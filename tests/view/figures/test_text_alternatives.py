@@ -7,8 +7,6 @@ import pytest
 from strategies import ROBOTS
 
 import kinlib as kl
-from kincourse.sampling.arms import ArmSampler
-from kincourse.sampling.lettered_arms import draw_lettered_arm
 from kinlib.view import draw_arm, draw_joints, explore
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
@@ -78,19 +76,6 @@ def test_what_is_drawn_in_grey_is_said():
     assert "In grey, the axes at home: -y, z, -y." in alt
     assert alt.endswith("In grey, the arm at home, its end-effector at (0, 0, 1) m.")
     assert "In grey" not in draw_arm(robot, q).alt
-
-
-@pytest.mark.parametrize("student", ["ada", "bob"])
-def test_an_arm_with_letters_can_be_rebuilt_from_its_text_alone(student):
-    robot = draw_lettered_arm(ArmSampler(student, "03.9"))
-    alt = draw_joints(robot.chain, letters=robot.letters).alt
-    for pattern, true in (
-        (r"L_\d along (-?[xyz])", robot.links),
-        (r"axis along (-?[xyz])", robot.axes),
-        (r"[xyz] = (\([^)]*\))", robot.tool),
-    ):
-        np.testing.assert_array_equal([direction(found) for found in re.findall(pattern, alt)], true)
-    assert f"({robot.joint_types})" in alt
 
 
 # --- frames on the links ---

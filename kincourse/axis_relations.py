@@ -1,4 +1,4 @@
-"""Two joint axes with their common normal, and what it leaves open in each of the six ways in which axes can be related."""
+"""Two joint axes with their common normal, and what it leaves open in each of the six relations of axes: for lectures 05 and 07."""
 
 import numpy as np
 from numpy.typing import ArrayLike
