@@ -22,7 +22,7 @@ from kinlib.view.figures.linkage import draw_linkage
 
 if TYPE_CHECKING:
     from kinlib.view.browser import show
-    from kinlib.view.viewer.dh_players import play_assignment, play_row, play_walk
+    from kinlib.view.viewer.dh_players import play_assignment, play_row
     from kinlib.view.viewer.linkage_driver import drive
     from kinlib.view.viewer.pictures import film, slide
     from kinlib.view.viewer.place_frames import assign
@@ -42,7 +42,6 @@ __all__ = [
     "film",
     "play_assignment",
     "play_row",
-    "play_walk",
     "plot",
     "show",
     "slide",
@@ -51,7 +50,7 @@ __all__ = [
 
 LAZY_NAMES = {
     "browser": {"show"},
-    "viewer.dh_players": {"play_assignment", "play_row", "play_walk"},
+    "viewer.dh_players": {"play_assignment", "play_row"},
     "viewer.linkage_driver": {"drive"},
     "viewer.steps": {"slide_frames"},
     "viewer.pictures": {"film", "slide"},

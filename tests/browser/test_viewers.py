@@ -19,10 +19,11 @@ from urdf_files import TWO_FINGERS
 import kinlib as kl
 from kincourse import open_sheet
 from kincourse.lecture_01_frames.opening import opening
+from kincourse.lecture_06_dh_modified.drawings import play_walk
 from kinlib.chains.robots import pose
 from kinlib.dh.rules import check_frames
 from kinlib.mechanisms.linkages import four_bar
-from kinlib.view import assign, draw_arm, drive, explore, play_assignment, play_row, play_walk, slide_frames
+from kinlib.view import assign, draw_arm, drive, explore, play_assignment, play_row, slide_frames
 from kinlib.view.drawing.picture import ENVIRONMENT_VARIABLE
 from kinlib.view.viewer.widget import STATIC
 

@@ -6,6 +6,7 @@ from urdf_files import TWO_FINGERS
 
 import kinlib as kl
 from kincourse.dimensions import DrawnAxis, draw_dimensions
+from kincourse.lecture_06_dh_modified.drawings import play_walk
 from kinlib import view
 from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.figures.frames import draw_table
@@ -45,7 +46,7 @@ PICTURES = {
     "frames": lambda: view.draw_frames(FRAMES, numbers=True),
     "row": lambda: at_stop(view.play_row(ROW, convention="standard"), 4).picture(),
     "row, motion by motion": lambda: at_stop(view.play_row(ROW), 2).picture(),
-    "factors": lambda: at_stop(view.play_walk(WALK), 3).picture(),
+    "factors": lambda: at_stop(play_walk(WALK), 3).picture(),
     "table": lambda: draw_table(ASSIGNED.table, np.full(6, 0.3), numbers=True),
     "table with a fixed row": lambda: draw_table(BRACKET, [0.3, 0.4]),
     "assignment of one joint": lambda: draw_assignment(kl.assign_frames(TURNTABLE, convention="modified")),

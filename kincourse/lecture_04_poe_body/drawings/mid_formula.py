@@ -65,7 +65,7 @@ def draw_mid_formula(chain: Chain, k: int, caption: str = "") -> Picture:
         start, tip = np.array([[-0.16], [0.3]]) * canvas.size * axis + point
         canvas.axis(start, tip, f"${_name(i, k)}$", width=1.3)
         canvas.dot(point, INK, 4)
-        thread = canvas.beside(feet[i], LANE_PX * lanes[i])
+        thread = _beside(canvas, feet[i], LANE_PX * lanes[i])
         canvas.line(thread, ORANGE, 2.6, ":", level=4.5)
         if np.ptp(feet[i], axis=0).any():  # the perpendicular can meet the axis far from the joint
             canvas.line([point, feet[i, 1]], VIOLET, 1.0, "--", level=1.5)
@@ -115,3 +115,9 @@ def _describe(chain: Chain, k: int, feet: Array) -> str:
     return " ".join(
         [f"{chain.name} at home.", *(f"Read from {{{frame}}}: {', '.join(names)}." for frame, names in sides if names)]
     )
+
+
+def _beside(canvas: Canvas, line: Array, pixels: float) -> Array:
+    """Move a line (m, 3) sideways on the sheet, so that lines that cover each other can be drawn side by side."""
+    right, up = canvas.along(line[0], line[-1])
+    return np.asarray(line + (pixels / canvas.pixels_per_metre) * (np.array([-up, right]) @ canvas.sheet_axes))

@@ -97,12 +97,6 @@ class Canvas:
         way = self.project(end) - self.project(start)
         return np.asarray(way / max(float(np.linalg.norm(way)), 1e-9))
 
-    def beside(self, points: ArrayLike, pixels: float) -> Array:
-        """Move a line (m, 3) sideways on the sheet, so that lines that cover each other can be drawn side by side."""
-        line = np.asarray(points, dtype=float)
-        right, up = self.along(line[0], line[-1])
-        return np.asarray(line + (pixels / self.pixels_per_metre) * (np.array([-up, right]) @ self.sheet_axes))
-
     def line(
         self, points: ArrayLike, colour: str = INK, width: float = 1.0, style: str = "-", level: float = 2.0
     ) -> None:

@@ -1,4 +1,4 @@
-"""Players of Denavit-Hartenberg: the motions of a row, the factors along an arm, and the steps of an assignment, as stops.
+"""Players of Denavit-Hartenberg: the motions of a row or of other factors, and the steps of an assignment, as stops.
 
 A motion is a screw about or along an axis that the motions before have moved, so the page moves the frame by its exponential.
 """
@@ -99,10 +99,10 @@ def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any
     """
     values = validation.vectors(row, "row", 4)
     if values.ndim != 1:
-        raise ValueError(f"row must be one row, of shape (4,); got {values.shape}. For several rows, use play_walk.")
+        raise ValueError(f"row must be one row, of shape (4,); got {values.shape}.")
     shown: list[Convention] = list(MOTIONS) if convention is None else [validate_convention(convention)]
     names = {0: ("i−1", ""), 4: ("i", "")}
-    return _player({name: Track(_row_motions(values, name), AXIS_SPANS[name], names) for name in shown}, after)
+    return play_tracks({name: Track(_row_motions(values, name), AXIS_SPANS[name], names) for name in shown}, after)
 
 
 def _row_motions(row: Array, convention: Convention) -> list[Motion]:
@@ -113,33 +113,6 @@ def _row_motions(row: Array, convention: Convention) -> list[Motion]:
         told = text.format(shown.replace("-", "−"))
         motions.append(Motion(symbol[2], value * rotates, value * (not rotates), symbol, name, told))
     return motions
-
-
-def play_walk(rows: ArrayLike, *, after: Any = None) -> Steps:
-    """Play the product Z_1 X_1 Z_2 X_2 ... along an arm, with the frames of both conventions.
-
-    rows   (m, 4) standard rows a, alpha, d, theta; each is two factors, and each factor is one screw motion
-    after  a question; the picture stays covered until a prediction is committed
-
-    The pose after Z_i is frame i of the modified convention, the pose after X_i is frame i of the standard one.
-
-    Raises ValueError if rows does not have shape (m, 4).
-
-    >>> player = play_walk([[0.4, 0, 0.1, 0]])
-    >>> player.at = 2
-    >>> player.alt
-    'Motions that move a frame: 2 of 2 done. The moving frame is at (0.4, 0, 0.1), x along x, y along y, z along z.'
-    """
-    motions, spans, names = [], [], {0: ("0", "0")}
-    for i, (a, alpha, d, theta) in enumerate(np.atleast_2d(validation.vectors(rows, "rows", 4)), start=1):
-        along, across = f"Z_{i}: along and about the axis of joint {i}.", f"X_{i}: along and about the common normal."
-        motions += [
-            Motion("z", theta, d, f"Z_{i}", f"Z{i}", f"{along} Frame {i} of the modified convention is here."),
-            Motion("x", alpha, a, f"X_{i}", f"X{i}", f"{across} Frame {i} of the standard convention is here."),
-        ]
-        spans.append((f"axis {i}", 2 * i - 2, 2 * i - 1))
-        names |= {2 * i - 1: (f"{i}", f"{i} mod"), 2 * i: (f"{i}", f"{i} std")}
-    return _player({"": Track(motions, spans, names)}, after)
 
 
 def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = None, after: Any = None) -> Steps:
@@ -188,8 +161,12 @@ def _axis(one: Array, other: Array, name: str, size: float) -> Part:
     return line_part(low, high, "axis", name=name, dashed=True, tip=True)
 
 
-def _player(tracks: Mapping[str, Track], after: Any) -> Steps:
-    """Return the player of tracks, of which one is shown: the moving frame, the ways it has made, and the frames it has reached."""
+def play_tracks(tracks: Mapping[str, Track], after: Any = None) -> Steps:
+    """Play motions: the moving frame, the ways it has made, and the frames it has reached.
+
+    tracks  by name; one of them is shown, and the reader chooses which
+    after   a question; the picture stays covered until a prediction is committed
+    """
     twists = np.array([[motion.twist for motion in track.motions] for track in tracks.values()])
     every = np.array([[*accumulate(exp(own), np.matmul, initial=np.eye(4))] for own in twists])
     size = max(float(np.ptp(every[..., :3, 3], axis=(0, 1)).max()), 0.2)

@@ -28,7 +28,7 @@ AXIS_SHARE, SMALLEST_M = 0.3, 0.3
 
 
 class Steps(Viewer):
-    """Stops on the page. Make one with `play_row`, `play_walk`, `play_assignment`, `slide_frames` or `drive`.
+    """Stops on the page. Make one with `play_row`, `play_assignment`, `slide_frames` or `drive`.
 
     at       the stop that is shown, from 0; a fraction is the share of the way to the next one
     variant  which of several lists of stops is shown, such as a convention

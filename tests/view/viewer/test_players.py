@@ -8,7 +8,8 @@ from answered import Answered
 
 import kinlib as kl
 from kincourse import open_sheet
-from kinlib.view import assign, drive, explore, play_assignment, play_row, play_walk, slide_frames
+from kincourse.lecture_06_dh_modified.drawings import play_walk
+from kinlib.view import assign, drive, explore, play_assignment, play_row, slide_frames
 from kinlib.view.figures.arm import frame_text
 from kinlib.view.viewer.frame_candidates import frame_candidates
 
