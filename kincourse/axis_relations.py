@@ -9,7 +9,7 @@ from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import direction_text
-from kinlib.view.figures.joint_bodies import around as around_axis
+from kinlib.view.figures.bodies import circle
 from kinlib.view.figures.joint_bodies import draw_joint_body
 
 X = np.array([1.0, 0, 0])
@@ -58,8 +58,7 @@ def draw_axis_relation(
         for step in (-0.5, -0.25, 0.25, 0.5):
             canvas.line([normal.start + step * size * z, normal.end + step * size * z], GREY, 1.4, ":", level=2.5)
     if normal.case in {"coincident", "anti-coincident"}:
-        circle = around_axis(z, 0.3 * size, np.linspace(0, 2 * np.pi, 40))
-        canvas.line(normal.start + circle, GREY, 1.4, ":", level=2.5)
+        canvas.line(normal.start + 0.3 * size * circle(z, 40)[np.arange(41) % 40], GREY, 1.4, ":", level=2.5)
     is_far = film and max(abs(normal.start[2]), abs(normal.end[2])) > FARTHEST_FOOT_M
     if not film:
         canvas.arrow(normal.end, tip, ORANGE, 2.2, level=4)

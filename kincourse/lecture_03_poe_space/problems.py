@@ -30,7 +30,7 @@ from kincourse.expressions.screws import (
     tilted,
     values_in_radians,
 )
-from kincourse.lecture_03_poe_space.lettered_arm import draw_lettered_joints
+from kincourse.lecture_03_poe_space.drawings import draw_lettered_joints
 from kincourse.mistakes.factor_order import factor_order_mistakes
 from kincourse.problem import ArmSampler, Problem, problem
 from kincourse.sampling.arms import are_distinguishable

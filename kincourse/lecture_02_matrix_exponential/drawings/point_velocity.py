@@ -7,7 +7,7 @@ from kinlib.arrays import validation
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.figures.joint_bodies import around
+from kinlib.view.figures.bodies import circle
 
 
 def draw_point_velocity(omega: ArrayLike, p: ArrayLike, *, moment: bool = False) -> Picture:
@@ -33,11 +33,11 @@ def draw_point_velocity(omega: ArrayLike, p: ArrayLike, *, moment: bool = False)
         raise ValueError(
             f"the circle must have a radius; got an axis through {vector_text(through)} that contains {vector_text(at)}."
         )
-    circle = centre + around(axis, radius, np.linspace(0, 2 * np.pi, 73))
+    path = centre + radius * circle(axis, 72)[np.arange(73) % 72]
     ends = sorted([0.0, float(axis @ (through - centre))])
     low, high = centre + (ends[0] - 0.5 * radius) * axis, centre + (ends[1] + 0.9 * radius) * axis
-    canvas = Canvas([*circle, low, high, np.zeros(3), through], size=(560, 420))
-    canvas.line(circle, GREY, 1.4, level=1)
+    canvas = Canvas([*path, low, high, np.zeros(3), through], size=(560, 420))
+    canvas.line(path, GREY, 1.4, level=1)
     canvas.line([centre, at], GREY, 1.4, ":", level=1)
     canvas.axis(low, high, "$\\omega$", width=1.8)
     canvas.triad(np.eye(4), "s", 0.17 * canvas.size)

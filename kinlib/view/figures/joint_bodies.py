@@ -5,7 +5,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import inverse, perpendicular
+from kinlib.rigid.lie import inverse
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK
 from kinlib.view.figures.bodies import drum, slab
@@ -70,12 +70,6 @@ def are_near(points: ArrayLike, size: float) -> NDArray[np.bool_]:
 def carried_axes(chain: Chain, frames: Array) -> Array:
     """Return the direction of each joint's axis in the current configuration, (n, 3)."""
     return np.asarray((frames[:, :3, :3] @ chain.lines.axis[:, :, None])[..., 0])
-
-
-def around(z: Array, radius: float, angles: Array) -> Array:
-    """Return points (m, 3) at angles (m,) on a circle about the origin, perpendicular to z."""
-    x = perpendicular(z)
-    return np.asarray(radius * (np.cos(angles)[:, None] * x + np.sin(angles)[:, None] * np.cross(z, x)))
 
 
 def axial_offsets(axes: Array, points: Array) -> Array:

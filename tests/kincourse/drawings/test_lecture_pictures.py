@@ -8,7 +8,7 @@ from kincourse.axis_relations import draw_axis_relation
 from kincourse.lecture_00_start_here.drawings import draw_parts
 from kincourse.lecture_01_frames.drawings import draw_rotation, draw_three_readings
 from kincourse.lecture_02_matrix_exponential.drawings import draw_motions, draw_point_velocity, draw_series
-from kincourse.lecture_03_poe_space.lettered_arm import draw_lettered_joints
+from kincourse.lecture_03_poe_space.drawings import draw_lettered_joints
 from kincourse.lecture_04_poe_body.drawings import draw_adjoint_steps
 from kincourse.lecture_04_poe_body.drawings.mid_formula import draw_mid_formula
 from kincourse.lecture_04b_velocity.drawings import draw_tool_velocities

@@ -8,7 +8,7 @@ import pytest
 from legible import overlapping_labels
 
 from kincourse import find_sheet, sheets
-from kincourse.lecture_03_poe_space.lettered_arm import draw_lettered_joints
+from kincourse.lecture_03_poe_space.drawings import draw_lettered_joints
 from kincourse.sampling.arms import ArmSampler
 from kincourse.sampling.lettered_arms import draw_lettered_arm
 
