@@ -153,7 +153,7 @@ def _name_columns(grid: Grid, order: str) -> None:
     names = dict(zip("0123", best.split(), strict=True))
     grid.rows = [{names.get(key, key): cell for key, cell in row.items()} for row in grid.rows]
     if not order:
-        words = f"The columns have no heading that can be read: they were read as {', '.join(best.split())}."
+        words = f"The columns have no heading: they were taken as {', '.join(best.split())}."
         grid.assume(words, "order", [best, *(known for known in ORDERS if known != best)][:6])
 
 
@@ -215,7 +215,8 @@ def _joints(grid: Grid, entries: list[dict[str, Entry]]) -> str:
         letters = ["F" if k in fixed else letter.replace("?", "R") for k, letter in enumerate(letters)]
         others = "each other row" if "P" in letters or fixed else "each row"
         named = "".join(f"row {k + 1} is fixed, as its name says, and " for k in fixed)
-        grid.assume(f"theta has no variable: {named}{others} is a revolute joint, with the number as its offset.")
+        if named or not any("no column theta" in each.text for each in grid.assumed):
+            grid.assume(f"theta has no variable: {named}{others} is a revolute joint, with the number as its offset.")
     return "".join(letters)
 
 

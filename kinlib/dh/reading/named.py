@@ -127,7 +127,7 @@ def read_columns(text: str, names: Mapping[str, Entry]) -> Grid:
 def _by_number(text: str, grid: Grid) -> dict[str, list[str]]:
     """Return the columns of entries with numbers; {} if there are none."""
     found = dict[str, dict[int, str]]()
-    for name, number, value in INDEXED.findall(text):
+    for name, number, value in INDEXED.findall(re.sub(r"\b\w+\((\d+)\)\.(\w+)", r"\2\1", text)):  # L(1).a
         if (column := parse_heading(name).column) in ALL_COLUMNS:
             found.setdefault(column, {})[int(number)] = value.strip()
     if not {*found} >= NEEDED:

@@ -141,6 +141,8 @@ def test_what_cannot_be_read_is_refused_with_its_place(text, words):
 
 SAME_ARM = {
     "symbols": "s = {alpha1: pi/2, a1: 0, d1: 0.3,\n alpha2: 0, a2: 0.4, d2: 0, q2: q2 + pi/2,\n alpha3: 0, a3: 0.2, d3: 0}",
+    "fields by number": "L(1).a = 0; L(1).alpha = pi/2; L(1).d = 0.3; L(1).offset = 0;\n"
+    "L(2).a = 0.4; L(2).alpha = 0; L(2).d = 0; L(2).offset = pi/2;\nL(3).a = 0.2; L(3).alpha = 0; L(3).d = 0; L(3).offset = 0;",
     "ranges behind the rows": "Joint i θi di ai αi Range\n1 0 0.3 0 π/2 −170 ~ +170\n2 π/2 0 0.4 0 −100° ~ +130°\n3 0 0 0.2 0 −90 ~ 90",
     "names in cells": "a | alpha | d | theta\n0 | pi/2 | d1=0.3 | q1\na2 = 0.4 | 0 | 0 | q2 + pi/2\n0.2 | 0 | 0 | q3",
     "words": "$d_{bs} = 300$ mm, L = 0.4 m\na & alpha & d & theta \\\\\n0 & 90° & $d_{bs}$ & q1 \\\\\nL & 0 & 0 & q2 + 90° \\\\\n"
