@@ -119,7 +119,7 @@ def _grid(plain: str, names: Mapping[str, Entry]) -> Grid:
     grid = next((found for reader in readers if (found := reader(plain, names)).rows or found.problem), Grid(names))
     if grid.problem:
         raise ValueError(
-            f"{grid.problem} cannot be read: it has other cells than the rows, or one is no number. Is one empty?"
+            f"{grid.problem} cannot be read: it does not have as many cells as the other rows, or one of them is no number. Is one empty?"
         )
     if not grid.rows:
         raise ValueError(

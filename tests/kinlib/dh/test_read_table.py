@@ -116,7 +116,10 @@ def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():
     ("text", "words"),
     [
         ("", "No table was found: no line has four numbers"),
-        ("a alpha d theta\n0 90° 0.1 q1\n0 0 abc 0 0 1 2", r"Line 3, .* cannot be read: it has other cells than"),
+        (
+            "a alpha d theta\n0 90° 0.1 q1\n0 0 abc 0 0 1 2",
+            r"Line 3, .* cannot be read: it does not have as many cells as the other rows",
+        ),
         ("a alpha d theta\n0 90° 0.1 q1*q2\n0 0 0 q2", r"Line 2, .*, theta: an entry must be a number"),
         ("a = [0, 1]\nalpha = [0, 0]\nd = [1]", r"lists of the same length; got a \(2\), alpha \(2\), d \(1\)"),
         ("x" * 200_000, "must have at most 100000 characters; got 200000"),
@@ -125,7 +128,10 @@ def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():
         ("i a(in) alpha(deg) d(in) theta\n1 0 -90 26.45 0", r"must be in m, cm or mm; the text has '\(in\)'"),
         ("a alpha d theta\n0 5mm 0.1 q1", "Line 2, .*, alpha: '5mm' is no angle"),
         ("a = [0, 0.4]\nd = [0.3, 0]", r"must be lists .*; got a [(]2[)], d [(]2[)]"),
-        ("# rows: alpha, d, theta\n0, 1.57, 0.3, 0\n0.4, 0, 0, 0", "Line 3, .* cannot be read: it has other cells"),
+        (
+            "# rows: alpha, d, theta\n0, 1.57, 0.3, 0\n0.4, 0, 0, 0",
+            "Line 3, .* cannot be read: it does not have as many cells",
+        ),
         ("theta 0 0 0 0\nd 0.3 0 0 0.1\na 0 0.4 0.2 0\nalpha 90 0 0 0", "No table was found"),
         ("1 90 0.3 0\n2 0 0 0.2", "The first column only counts the rows"),
         ("Link('d', 0,3, 'a', 0)\nLink('d', 0, 'a', 0,4)", "each name must have one value, with a decimal point"),
