@@ -487,9 +487,13 @@ def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, l
     ends = [f"{end} ({count} joint{'s'[: count != 1]})" for end, count in counts.items()]
     notes = [f"The arm is from link {base} to link {tip}: {', '.join(chain.joint_names or ())}."]
     others = [name for name in tree.joint_names if name not in (chain.joint_names or ())]
+    spans = np.zeros(chain.n) if chain.limits is None else np.ptp(chain.limits, axis=1)
+    joints = zip(chain.joint_names, chain.joint_types, spans, strict=True)
+    turns = [name for name, letter, span in joints if letter == "R" and 8 * np.pi < span < np.inf]
     lists = {
         "Other ends of the file, if yours is one of them": ends,
         "Joints that are not on the way are left at 0": others,
+        "Joints whose limits are more than four turns apart, perhaps in degrees; a URDF has radians": turns,
     }
     for text, names in lists.items():
         notes += [f"{text}: {', '.join(names[:12])}{' and more' * (len(names) > 12)}."] * bool(names)

@@ -99,6 +99,15 @@ def test_the_fingers_of_a_gripper_are_left_out_and_the_chain_is_named():
     assert kl.load_urdf(panda).n == 7
 
 
+def test_limits_that_may_be_degrees_are_named():
+    """A wrist of almost four turns and a joint without limits are not; nor is a rail of 90 metres."""
+    limits = {"waist": (-170, 170), "wrist": (-12.5, 12.5), "flange": (-np.inf, np.inf), "rail": (0, 90)}
+    arm = kl.Chain(kl.robots.rpr().screws[[0, 2, 2, 1]], np.eye(4), limits=[*limits.values()], joint_names=[*limits])
+    assert examine(kl.to_urdf(arm)).notes[1:] == [
+        "Joints whose limits are more than four turns apart, perhaps in degrees; a URDF has radians: waist."
+    ]
+
+
 TURNED = KNOWN["UR5"][0].changed(
     base=np.diag([-1.0, -1, 1, 1]), tool=np.array([[0.0, -1, 0, 0], [0, 0, -1, 0], [1, 0, 0, 0], [0, 0, 0, 1]])
 )
