@@ -16,10 +16,9 @@ from kinlib.arrays.formatting import format_number
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import homogeneous
 from kinlib.view.drawing.canvas import Canvas, moved
-from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GHOST_GREY, GREY, INK, VIOLET
 from kinlib.view.drawing.labels import LABEL_OFFSETS
-from kinlib.view.drawing.picture import Picture
+from kinlib.view.drawing.picture import Picture, crop
 
 SHEET_PX = (640.0, 900.0)
 TOP_FROM_FRONT = np.array([(1.0, 0, 0), (0, 0, -1), (0, 1, 0)])

@@ -8,7 +8,8 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, INK, JOINT_FILL, LINK_GREY, ORANGE, PALE_GREY, VIOLET
-from kinlib.view.drawing.picture import Picture, picture_from_figure, vector_text
+from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.drawing.plot import picture_from_figure
 from kinlib.view.figures.arm import JOINT_KINDS, direction_text
 from kinlib.view.figures.bodies import body_of
 from kinlib.view.figures.body_drawing import draw_body

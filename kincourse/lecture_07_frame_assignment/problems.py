@@ -24,7 +24,7 @@ from kinlib.dh.table import DHTable, format_rows
 from kinlib.rigid.lie import homogeneous
 from kinlib.view import draw_joints
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.figures.frame_assignment import draw_assignment
+from kinlib.view.figures.frames import draw_assignment
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose

@@ -8,8 +8,7 @@ import kinlib as kl
 from kincourse.dimensions import DrawnAxis, draw_dimensions
 from kincourse.lecture_06_dh_modified.drawings import play_walk
 from kinlib import view
-from kinlib.view.figures.frame_assignment import draw_assignment
-from kinlib.view.figures.frames import draw_table
+from kinlib.view.figures.frames import draw_assignment, draw_table
 
 PUMA, YOUBOT, RPPR = kl.robots.puma560(), kl.robots.youbot(), kl.robots.rppr()
 ASSIGNED = kl.assign_frames(PUMA, convention="standard")

@@ -12,10 +12,9 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.formatting import format_number
 from kinlib.arrays.validation import Array
 from kinlib.view.drawing import svg
-from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, PALE_GREY, VIOLET
 from kinlib.view.drawing.labels import LABEL_OFFSETS, Label, Offset, place_labels
-from kinlib.view.drawing.picture import Picture
+from kinlib.view.drawing.picture import Picture, crop
 
 VIEWS = {
     "default": (-60.0, 22.0),

@@ -5,21 +5,19 @@ import html
 import io
 import os
 import re
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from importlib import import_module
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays.formatting import format_vector
 from kinlib.arrays.tolerances import TYPED_PI_ERROR
 from kinlib.view.drawing.figure_colours import THEME_CSS, follow_theme
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 ENVIRONMENT_VARIABLE = "NOTEBOOK_STATIC_PAGE"
 """Set while notebooks are executed for a static page, on which no Python runs afterwards. Then sliders include a picture for each
@@ -27,6 +25,13 @@ value. misstep/display/lecture_address.py reads the same variable, because the t
 
 MIN_ALT_CHARACTERS = 20
 """A shorter text alternative can name a figure, but cannot say what it shows."""
+
+CROP_BORDER_PX = 10.0
+LARGEST_PX = (640.0, 440.0)
+MAX_ENLARGEMENT = 1.3
+"""A cropped drawing is enlarged to this size at most, and its letters by this factor at most."""
+
+HEAD = re.compile(r'(<svg [^>]*?)width="([\d.]+)" height="([\d.]+)" viewBox="([^"]+)">\s*<rect [^>]*>')
 
 
 @dataclass(frozen=True)
@@ -119,15 +124,21 @@ class Gallery:
         return {"text/html": self.html(), "text/plain": "\n".join(picture.alt for picture in self.pictures)}
 
 
-def picture_from_figure(figure: "Figure", alt: str, caption: str = "") -> Picture:
-    """Convert a matplotlib figure to a picture. Make the figure without pyplot, so that none is left open."""
-    from matplotlib import rc_context
+def crop(pictures: Sequence[Picture], largest: tuple[float, float] = LARGEST_PX) -> list[Picture]:
+    """Cut drawings to the smallest rectangle that contains what all of them show, and enlarge them a little, to `largest`.
 
-    buffer = io.StringIO()
-    # With a fixed salt and no date, the same drawing always gives the same SVG text.
-    with rc_context({"svg.hashsalt": "kinlib", "svg.fonttype": "path"}):
-        figure.savefig(buffer, format="svg", metadata={"Date": None}, facecolor="white")
-    return Picture(buffer.getvalue(), alt, caption)
+    Pictures of one slider are cut alike, so that nothing jumps. Those of which one is not from a canvas are left as they are.
+    """
+    if not all(picture.content for picture in pictures):
+        return list(pictures)
+    boxes = np.array([picture.content for picture in pictures])
+    low, high = boxes[:, :2].min(axis=0) - CROP_BORDER_PX, boxes[:, 2:].max(axis=0) + CROP_BORDER_PX
+    scale = min(MAX_ENLARGEMENT, max(1.0, float((largest / (high - low)).min())))
+    left, top, width, height = (f"{x:.5g}" for x in (*low, *(high - low)))
+    wide, tall = (f"{x:.4g}" for x in scale * (high - low))
+    head = f'width="{wide}" height="{tall}" viewBox="{left} {top} {width} {height}">'
+    head += f'<rect x="{left}" y="{top}" width="{width}" height="{height}" fill="white"/>'
+    return [replace(picture, svg=HEAD.sub(lambda found: found[1] + head, picture.svg, count=1)) for picture in pictures]
 
 
 def is_without_kernel() -> bool:

@@ -1,5 +1,6 @@
 """Plots of curves, with matplotlib: lines differ by dash and marker as well as by colour, and each plot has a text alternative."""
 
+import io
 from collections.abc import Mapping
 from itertools import cycle
 from typing import Any
@@ -8,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.view.drawing.figure_colours import INK
-from kinlib.view.drawing.picture import Picture, picture_from_figure
+from kinlib.view.drawing.picture import Picture
 
 CURVE_STYLES = (
     ("#7d3ac1", "-", "o"),
@@ -54,3 +55,14 @@ def plot(
     if len(curves) > 1:
         axes.legend(frameon=False, labelcolor=INK)
     return picture_from_figure(figure, alt, caption)
+
+
+def picture_from_figure(figure: Any, alt: str, caption: str = "") -> Picture:
+    """Convert a matplotlib figure to a picture. Make the figure without pyplot, so that none is left open."""
+    from matplotlib import rc_context
+
+    buffer = io.StringIO()
+    # With a fixed salt and no date, the same drawing always gives the same SVG text.
+    with rc_context({"svg.hashsalt": "kinlib", "svg.fonttype": "path"}):
+        figure.savefig(buffer, format="svg", metadata={"Date": None}, facecolor="white")
+    return Picture(buffer.getvalue(), alt, caption)

@@ -161,9 +161,14 @@ def _end(branch: Branch, q: Array) -> str:
 
 def frame_text(frame: tuple[str, ArrayLike]) -> str:
     """Return a sentence about a frame: its name, its origin and the directions of its axes."""
-    name, T = frame[0], np.asarray(frame[1], dtype=float)
-    axes = ", ".join(f"{letter} along {direction_text(axis)}" for letter, axis in zip("xyz", T[:3, :3].T, strict=True))
-    return f"Frame {{{name}}} at {vector_text(T[:3, 3])}, {axes}."
+    return f"Frame {{{frame[0]}}} {pose_text(frame[1])}."
+
+
+def pose_text(pose: ArrayLike, letters: str = "xyz") -> str:
+    """Write where the origin of a frame is, and the directions of some of its axes."""
+    T = np.asarray(pose, dtype=float)
+    axes = ", ".join(f"{letter} along {direction_text(T[:3, 'xyz'.index(letter)])}" for letter in letters)
+    return f"at {vector_text(T[:3, 3])}, {axes}"
 
 
 def _draw_axes(canvas: Canvas, branch: Branch, frames: Array, name: str, colour: str) -> None:

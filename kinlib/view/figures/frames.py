@@ -1,21 +1,29 @@
-"""Drawings of frames by name, and of the arm of a DH table with its frames."""
+"""Drawings of frames: by name, of the arm of a DH table, and of each step of a frame assignment.
+
+A step is a stop for a player: the parts that are drawn after it, of which the current ones are strong.
+"""
 
 from collections.abc import Mapping
-from itertools import accumulate
+from itertools import accumulate, pairwise
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
-from kinlib.dh.table import DHTable
+from kinlib.chains.chain import Chain
+from kinlib.dh.assignment import FrameAssignment
+from kinlib.dh.table import Convention, DHTable
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import ORANGE, PALE_GREY
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.figures.arm import frame_text
-from kinlib.view.figures.frame_assignment import translations
-from kinlib.view.figures.joint_bodies import draw_joint_bodies
-from kinlib.view.figures.parts import draw_parts, frame_part, ranks, tips
+from kinlib.view.figures.arm import describe_arm, frame_text, pose_text
+from kinlib.view.figures.joint_bodies import are_near, arm_size, draw_joint_bodies
+from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part, ranks, tips
+
+MARKED_PARTS = {"origin": "O", "x": "x", "y": "y", "first": "Oxyz", "last": "Oxyz"}
+"""The parts of its frame that a step is about: O for the origin, and axes."""
 
 
 def draw_frames(frames: Mapping[str, ArrayLike], *, numbers: bool = False) -> Picture:
@@ -84,3 +92,125 @@ def _on_floor(seen: Array, measured: Array, numbers: bool, view: str = "default"
     if numbers:
         canvas.measure(measured, ORANGE)
     return canvas
+
+
+def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, caption: str = "") -> Picture:
+    """Draw a frame assignment after the step `until` of its steps, counted from 0: that is strong, what came before is pale; or all.
+
+    Joint axes are violet and dashed, common normals orange; a normal of length zero is a short line along its direction.
+    y is drawn only while its frame is strong. While a row is read off, its a is a thick orange line and its d a violet one.
+
+    >>> print(draw_assignment(kl.assign_frames(kl.robots.youbot(), convention="standard"), 3).alt)    # doctest: +NORMALIZE_WHITESPACE
+    youBot, standard convention, step 4 of 25. O_1 lies on axis 2, where the common normal meets it: (0.033, 0, 0.147).
+    Drawn so far: frame 0 at (0, 0, 0), x along x, z along z.
+    """
+    steps, chain = assignment.steps, assignment.chain
+    stop = assignment_stop(assignment, len(steps) - 1 if until is None else until)
+    near, feet = visible_features(assignment)
+    seen = np.concatenate([chain.joint_points, chain.home[None, :3, 3], assignment.frames[near, :3, 3], feet])
+    canvas = Canvas(seen)
+    canvas.floor(seen)
+    draw_joint_bodies(canvas, chain, chain.link_poses(np.zeros(chain.n)))
+    # The joints have their numbers, so only lengths are named.
+    draw_parts(
+        canvas, [part | {"name": part["name"] * (part.get("width") == 4)} for part in stop["parts"]], canvas.size
+    )
+    return canvas.picture(stop["alt"], caption, cropped=True)
+
+
+def assignment_stop(assignment: FrameAssignment, k: int, count: int | None = None) -> dict[str, Any]:
+    """Return what is drawn and said after step k of an assignment, counted from 0: a stop for a page that shows count of them."""
+    chain, frames, n = assignment.chain, assignment.frames, assignment.chain.n
+    step, i = assignment.steps[k], assignment.steps[k].frame
+    done = {(one.kind, one.frame) for one in assignment.steps[: k + 1]}
+    finished = step.kind == "accuracy"
+    beside = () if i is None else (i - 1, i)
+    near, feet = visible_features(assignment)
+    size = arm_size(chain)
+    parts = []
+    for axis, ends in enumerate(axis_ends(chain, feet)):
+        strong = step.kind in {"axes", "accuracy"} or (step.kind == "normal" and axis in beside)
+        parts.append(line_part(*ends, "axis", name=f"axis {axis + 1}", dashed=True, tip=True, strong=strong))
+    for pair, normal in enumerate(assignment.normals, start=1):
+        if ("normal", pair) in done:
+            strong = finished or (step.kind in {"normal", "x"} and i == pair)
+            half = 0.16 * size * normal.x * (np.linalg.norm(normal.end - normal.start) < 1e-6 * size)
+            ends, name = (normal.start - half, normal.end + half), f"normal {pair}–{pair + 1}"
+            width = 3 if strong else 2
+            parts.append(line_part(*ends, "normal", name=name * strong, width=width, dashed=True, strong=strong))
+    if step.kind == "row" and i is not None:
+        parts += translations(frames[i - 1 : i + 1], assignment.table.convention, first=i)
+    lines = [part for part in parts if part["strong"] and step.kind in {"normal", "x", "row"}]
+    marks = [{"from": line["from"], "to": line["to"]} for line in lines]
+    assigned = {j: _assigned(j, n, done) for j in range(n + 1)}
+    shown = [j for j in range(n + 1) if assigned[j] and near[j]]
+    for j, rank in zip(shown, ranks(frames[shown, :3, 3]), strict=True):
+        T, strong = frames[j], finished or j == i or (step.kind == "row" and j in beside)
+        # y follows from z and x
+        letters = assigned[j] if strong and not finished else assigned[j].replace("y", "")
+        parts.append(frame_part(T, letters, sub=str(j), rank=rank, strong=strong))
+        for letter in MARKED_PARTS.get(step.kind, "") if j == i else "":
+            along = 0 if letter == "O" else T[:3, "xyz".index(letter)]
+            marks.append(_mark(T[:3, 3], T[:3, 3] + (0.2 + 0.07 * rank) * size * along))
+    axes = f" {describe_arm(chain, np.zeros(n))}" if step.kind == "axes" else ""
+    whole = "; ".join(f"frame {j} {pose_text(frames[j], 'xz')}" for j in assigned if "y" in assigned[j])
+    head = f"{chain.name}, {assignment.table.convention} convention, step {k + 1} of {count or len(assignment.steps)}."
+    return {
+        "text": step.text,
+        "others": step.others,
+        "alt": f"{head} {step.text}{axes} Drawn so far: {whole or 'the joints and their axes'}.",
+        "parts": parts,
+        "marks": marks,
+        "row": i if step.kind == "row" else None,
+    }
+
+
+def translations(frames: Array, convention: Convention, first: int = 1) -> list[Part]:
+    """Return the translations of rows between frames (m + 1, 4, 4): d along z and a along x, in the order of the convention.
+
+    first  the number of the first row; those of length zero are left out
+    """
+    parts = []
+    for i, (before, after) in enumerate(pairwise(frames), start=first):
+        start, end = before[:3, 3], after[:3, 3]
+        along = before[:3, 2 if convention == "standard" else 0]
+        corner = start + along @ (end - start) * along
+        names = (f"d_{i}", f"a_{i}") if convention == "standard" else (f"a_{i - 1}", f"d_{i}")
+        for name, ends in zip(names, ((start, corner), (corner, end)), strict=True):
+            if np.linalg.norm(ends[1] - ends[0]) > 1e-9:
+                parts.append(line_part(*ends, "axis" if name[0] == "d" else "normal", name=name, width=4))
+    return parts
+
+
+def visible_features(assignment: FrameAssignment) -> tuple[NDArray[np.bool_], Array]:
+    """Return which frames are near enough to the arm to be shown, (n + 1,), and the feet of normals that are, (m, 3)."""
+    size = arm_size(assignment.chain)
+    feet = np.reshape([foot for normal in assignment.normals for foot in (normal.start, normal.end)], (-1, 3))
+    return are_near(assignment.frames[:, :3, 3], size), feet[are_near(feet, size)]
+
+
+def span_on_axis(z: Array, point: Array, places: ArrayLike) -> tuple[float, float]:
+    """Return from where to where an axis must be drawn, measured from its point, to contain those of the places that are on it."""
+    off = np.reshape(places, (-1, 3)) - point
+    along = [0.0, *(off[np.linalg.norm(np.cross(z, off), axis=-1) < 1e-9] @ z).tolist()]
+    return min(along), max(along)
+
+
+def axis_ends(chain: Chain, feet: Array) -> list[tuple[Array, Array]]:
+    """Return both ends of each joint axis, long enough to contain the tool and the feet (m, 3) of normals that are on it."""
+    size, found = arm_size(chain), []
+    for z, point in zip(chain.lines.axis, chain.joint_points, strict=True):
+        low, high = span_on_axis(z, point, [*feet, chain.home[:3, 3]])
+        found.append((point + (low - 0.24 * size) * z, point + (high + 0.34 * size) * z))
+    return found
+
+
+def _assigned(i: int, n: int, done: set[tuple[str, int | None]]) -> str:
+    """Return which of O, x, y, z of frame i are assigned. The first and the last frame are assigned in one step."""
+    if i in (0, n):
+        return "Oxyz" if ("first" if i == 0 else "last", i) in done else ""
+    return "".join(sorted("".join(on for kind, on in (("origin", "Oz"), ("x", "x"), ("y", "y")) if (kind, i) in done)))
+
+
+def _mark(start: Array, end: Array) -> Part:
+    return {"from": (start.round(6) + 0.0).tolist(), "to": (end.round(6) + 0.0).tolist()}

@@ -17,8 +17,8 @@ from kinlib.dh.assignment import assign_frames
 from kinlib.dh.table import Convention, DHTable, format_rows, validate_convention
 from kinlib.rigid.lie import adjoint, exp
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.figures.arm import frame_text
-from kinlib.view.figures.frame_assignment import assignment_stop, axis_ends, draw_assignment, visible_features
+from kinlib.view.figures.arm import pose_text
+from kinlib.view.figures.frames import assignment_stop, axis_ends, draw_assignment, visible_features
 from kinlib.view.figures.joint_bodies import stations
 from kinlib.view.figures.parts import Part, draw_parts_about, frame_part, line_part, tips, turn_part
 from kinlib.view.viewer.scene import bare_scene, scene_of_parts
@@ -220,5 +220,5 @@ def _stop(name: str, track: Track, poses: Array, k: int) -> Stop:
         "parts": parts,
         "ways": ways,
         "turns": turns,
-        "alt": f"{head} {frame_text(('', here)).replace('Frame {}', moving)}",
+        "alt": f"{head} {moving} {pose_text(here)}.",
     }

@@ -14,7 +14,7 @@ from kinlib.chains.chain import Chain
 from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.rigid.lie import perpendicular
 from kinlib.view.drawing.picture import vector_text
-from kinlib.view.figures.frame_assignment import span_on_axis
+from kinlib.view.figures.frames import span_on_axis
 from kinlib.view.figures.joint_bodies import arm_size, stations
 
 COINCIDENT_TOL = 1e-9

@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 import traitlets
 
-from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.figure_colours import follow_theme
-from kinlib.view.drawing.picture import Gallery, Picture
+from kinlib.view.drawing.picture import Gallery, Picture, crop
 from kinlib.view.viewer.widget import Covered
 
 FRAMES_PER_SECOND = 6

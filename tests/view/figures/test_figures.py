@@ -15,8 +15,7 @@ import kinlib as kl
 from kincourse.lecture_04_poe_body.drawings.mid_formula import draw_mid_formula
 from kinlib.view import Picture, draw_arm, draw_joints, drive, explore, slide
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.figures.frame_assignment import draw_assignment
-from kinlib.view.figures.frames import draw_table
+from kinlib.view.figures.frames import draw_assignment, draw_table
 
 ROOT = Path(__file__).parents[3]
 RPR = kl.robots.rpr()
