@@ -550,8 +550,10 @@ def by_hand(show):
 
 def handle(viewer, T, axis):
     """Return the handle with which a frame gets its z: an end of an axis."""
-    fits = [z for z in viewer.get("mode")["z"] if np.allclose(z["along"], T[:3, 2])]
-    return next((z["at"] for z in fits if z["axis"] == axis), fits[0]["at"])
+    mode = viewer.get("mode")
+    lines = [mode["axes"][axis] if axis < ARM.n else mode["tool"], *mode["axes"], mode["tool"]]
+    line = next(line for line in lines if np.allclose(np.cross(line["along"], T[:3, 2]), 0))
+    return line["to" if np.dot(line["along"], T[:3, 2]) > 0 else "from"]
 
 
 def dial(viewer):

@@ -11,7 +11,7 @@ from kincourse import open_sheet
 from kincourse.lecture_06_dh_modified.drawings import play_walk
 from kinlib.view import assign, drive, explore, play_assignment, play_row, slide_frames
 from kinlib.view.figures.arm import frame_text
-from kinlib.view.viewer.frame_candidates import frame_candidates
+from kinlib.view.viewer.place_frames import frame_candidates
 
 ARMS = [kl.robots.rpr(), kl.robots.puma560()]
 CONVENTIONS = ["standard", "modified"]
@@ -103,7 +103,11 @@ def test_the_candidates_contain_a_right_assignment(chain, convention):
     """Each axis, origin and x of the library's own assignment is among the candidates, or lies on an axis."""
     offered = frame_candidates(chain)
     for T in kl.assign_frames(chain, convention=convention).frames:
-        near = [np.linalg.norm(np.array(z["along"]) - T[:3, 2]) for z in offered["z"]]
+        near = [
+            np.linalg.norm(s * np.array(z["along"]) - T[:3, 2])
+            for z in [*offered["axes"], offered["tool"]]
+            for s in (1, -1)
+        ]
         assert min(near) < 1e-9
         lines = [np.linalg.norm(np.cross(T[:3, 3] - axis["point"], axis["along"])) for axis in offered["axes"]]
         points = [np.linalg.norm(np.array(point["at"]) - T[:3, 3]) for point in offered["points"]]

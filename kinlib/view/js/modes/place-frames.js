@@ -11,8 +11,20 @@ import { framePicker } from './place-frames-picking.js';
 
 const SILENCE_MS = 6000; // without an answer from Python, until the panel says so
 
-/** @param kit.data { convention, axes, z, points, x }, see kinlib/view/viewer/frame_candidates.py */
-export function placeFrames({ model, stage, data }) {
+/** The choices for z: both directions along each axis and along z of {b}, each with the position of its handle. */
+const choicesOfZ = ({ axes, tool }) =>
+  [...axes, tool].flatMap(({ along, from, to }, i) => {
+    const name = i < axes.length ? `axis ${i + 1}` : 'z of {b}';
+    const opposite = along.map((value) => 0 - value);
+    return [
+      { at: to, along, text: `along ${name}` },
+      { at: from, along: opposite, text: `opposite to ${name}` },
+    ];
+  });
+
+/** @param kit.data { convention, axes, tool, points, x }, see kinlib/view/viewer/place_frames.py */
+export function placeFrames({ model, stage, data: given }) {
+  const data = { ...given, z: choicesOfZ(given) };
   const { size } = stage.data;
   const frames = () => model.get('frames');
   const selection = { i: 0, part: 'z', waiting: false };
@@ -100,13 +112,19 @@ export function placeFrames({ model, stage, data }) {
     selected,
     broken: () => breaches().map(({ joint }) => data.axes[joint - 1].point),
   });
-  /** The broken rules of the last verdict, without those of frames that have changed since. */
+  /** The broken rules of the last verdict, each with its joint, without those of frames that have changed since. */
   const breaches = () => {
-    const other = ({ frame: i, rule }) => (rule.startsWith('x ') ? i + (data.convention === 'standard' ? -1 : 1) : i);
+    const standard = data.convention === 'standard';
     const anew = changedFrames();
-    return (model.get('verdict').breaches ?? []).filter(
-      (one) => !anew.includes(one.frame) && !anew.includes(other(one)),
-    );
+    return (model.get('verdict').breaches ?? []).flatMap((one) => {
+      const i = one.frame;
+      const other = i + (standard ? -1 : 1); // the x of a row is that of one frame, and its z that of the other
+      if (!one.rule.startsWith('x ')) {
+        const joint = standard ? Math.min(i + 1, data.axes.length) : Math.max(i, 1); // the one along whose axis z is
+        return anew.includes(i) ? [] : [{ ...one, joint }];
+      }
+      return anew.includes(i) || anew.includes(other) ? [] : [{ ...one, joint: Math.max(i, other) }];
+    });
   };
   const panel = placeFramesPanel({
     model,
