@@ -22,8 +22,8 @@ from kinlib.view.figures.arm import describe_arm, frame_text, pose_text
 from kinlib.view.figures.joint_bodies import are_near, arm_size, draw_joint_bodies
 from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part, ranks, tips
 
-MARKED_PARTS = {"origin": "O", "x": "x", "y": "y", "first": "Oxyz", "last": "Oxyz"}
-"""The parts of its frame that a step is about: O for the origin, and axes."""
+MARKED = {"normal": "line", "row": "line", "origin": "O", "x": "line x", "y": "y", "first": "Oxyz", "last": "Oxyz"}
+"""What a step is about, which the page marks: strong lines, and O, x, y and z of its frame."""
 
 
 def draw_frames(frames: Mapping[str, ArrayLike], *, numbers: bool = False) -> Picture:
@@ -140,8 +140,6 @@ def assignment_stop(assignment: FrameAssignment, k: int, count: int | None = Non
             parts.append(line_part(*ends, "normal", name=name * strong, width=width, dashed=True, strong=strong))
     if step.kind == "row" and i is not None:
         parts += translations(frames[i - 1 : i + 1], assignment.table.convention, first=i)
-    lines = [part for part in parts if part["strong"] and step.kind in {"normal", "x", "row"}]
-    marks = [{"from": line["from"], "to": line["to"]} for line in lines]
     assigned = {j: _assigned(j, n, done) for j in range(n + 1)}
     shown = [j for j in range(n + 1) if assigned[j] and near[j]]
     for j, rank in zip(shown, ranks(frames[shown, :3, 3]), strict=True):
@@ -149,9 +147,6 @@ def assignment_stop(assignment: FrameAssignment, k: int, count: int | None = Non
         # y follows from z and x
         letters = assigned[j] if strong and not finished else assigned[j].replace("y", "")
         parts.append(frame_part(T, letters, sub=str(j), rank=rank, strong=strong))
-        for letter in MARKED_PARTS.get(step.kind, "") if j == i else "":
-            along = 0 if letter == "O" else T[:3, "xyz".index(letter)]
-            marks.append(_mark(T[:3, 3], T[:3, 3] + (0.2 + 0.07 * rank) * size * along))
     axes = f" {describe_arm(chain, np.zeros(n))}" if step.kind == "axes" else ""
     whole = "; ".join(f"frame {j} {pose_text(frames[j], 'xz')}" for j in assigned if "y" in assigned[j])
     head = f"{chain.name}, {assignment.table.convention} convention, step {k + 1} of {count or len(assignment.steps)}."
@@ -160,7 +155,7 @@ def assignment_stop(assignment: FrameAssignment, k: int, count: int | None = Non
         "others": step.others,
         "alt": f"{head} {step.text}{axes} Drawn so far: {whole or 'the joints and their axes'}.",
         "parts": parts,
-        "marks": marks,
+        "marked": MARKED.get(step.kind, ""),
         "row": i if step.kind == "row" else None,
     }
 
@@ -210,7 +205,3 @@ def _assigned(i: int, n: int, done: set[tuple[str, int | None]]) -> str:
     if i in (0, n):
         return "Oxyz" if ("first" if i == 0 else "last", i) in done else ""
     return "".join(sorted("".join(on for kind, on in (("origin", "Oz"), ("x", "x"), ("y", "y")) if (kind, i) in done)))
-
-
-def _mark(start: Array, end: Array) -> Part:
-    return {"from": (start.round(6) + 0.0).tolist(), "to": (end.round(6) + 0.0).tolist()}

@@ -54,14 +54,6 @@ def frame_part(
     return {"kind": "frame", "pose": pose, "letters": letters, **looks}
 
 
-def turn_part(T: Array, axis: str, angle: float, rise: float = 0.0, name: str = "") -> Part:
-    """Return the angle by which a frame at T is rotated about its own z, which moves x, or about its x, which moves z.
-
-    rise  how far it is translated along that axis at the same time, in metres
-    """
-    return {"kind": "turn", "pose": T.ravel().tolist(), "axis": axis, "angle": angle, "rise": rise, "name": name}
-
-
 def ranks(origins: ArrayLike) -> list[int]:
     """Return for each of the origins (m, 3) of frames how many before it are at the same place."""
     points = np.reshape(np.asarray(origins, dtype=float), (-1, 3))

@@ -10,17 +10,17 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import tolerances, validation
+from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.table import Convention, DHTable, format_rows, validate_convention
-from kinlib.rigid.lie import adjoint, exp
+from kinlib.rigid.lie import exp
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import pose_text
 from kinlib.view.figures.frames import assignment_stop, axis_ends, draw_assignment, visible_features
 from kinlib.view.figures.joint_bodies import stations
-from kinlib.view.figures.parts import Part, draw_parts_about, frame_part, line_part, tips, turn_part
+from kinlib.view.figures.parts import Part, draw_parts_about, frame_part, line_part, tips
 from kinlib.view.viewer.scene import bare_scene, scene_of_parts
 from kinlib.view.viewer.steps import Steps, Stop
 
@@ -64,11 +64,6 @@ class Motion(NamedTuple):
     def twist(self) -> Array:
         """The motion as a twist (6,) in the moving frame."""
         return np.kron([self.angle, self.distance], np.eye(3)["x z".index(self.axis)])
-
-    @property
-    def value(self) -> float:
-        """The value of the joint that makes this motion: its angle, or else its distance."""
-        return self.angle if abs(self.angle) > tolerances.UNIT_LENGTH_TOL else self.distance
 
 
 class Track(NamedTuple):
@@ -178,7 +173,6 @@ def play_tracks(tracks: Mapping[str, Track], after: Any = None) -> Steps:
         variants[name] = {
             "stops": [_stop(name, track, poses, k) for k in range(len(poses))],
             "still": [*still, frame_part(poses[-1], "Oxyz", length=0.9 * FRAME_LENGTH, strong=False)],
-            "product": [motion.symbol for motion in track.motions],
         }
     shown = np.concatenate(points)
 
@@ -194,31 +188,27 @@ def play_tracks(tracks: Mapping[str, Track], after: Any = None) -> Steps:
 
 
 def _stop(name: str, track: Track, poses: Array, k: int) -> Stop:
-    """Return what a track shows after k motions; its screw, ways and turns are those of the motion that follows."""
+    """Return what a track shows after k motions; its way is that of the motion that follows."""
     here, parts = poses[k], []
     for reached, (sub, frame) in track.names.items():
         if reached <= k:
             T, length = poses[reached], FRAME_LENGTH * (1 if reached else 0.9)
             shown = frame if " " in frame else ""
             parts.append(frame_part(T, "Oxz", sub=sub, name=shown, length=length, strong=reached == k))
-    ways, turns, screw = [], [], {}
+    ways, following = [], {}
     for motion in track.motions[k : k + 1]:
-        screw = {"screw": (adjoint(here) @ motion.twist / (motion.value or 1)).tolist(), "value": motion.value}
+        following = {name: getattr(motion, name) for name in ("axis", "angle", "distance", "symbol", "name")}
         if motion.distance:
-            colour, letter = ("axis", "d") if motion.axis == "z" else ("normal", "a")
-            letter = letter if motion.name in "da" else motion.name
-            ways.append(line_part(here[:3, 3], poses[k + 1, :3, 3], colour, name=letter, width=4))
-        if abs(motion.angle) > 0.01:
-            turns.append(turn_part(here, motion.axis, motion.angle, motion.distance, motion.name))
+            colour = "axis" if motion.axis == "z" else "normal"
+            ways.append(line_part(here[:3, 3], poses[k + 1, :3, 3], colour, name=motion.name, width=4))
     moving = f"The moving frame{f', {name} convention,' if name else ''} is"
     head = f"Motions that move a frame: {k} of {len(track.motions)} done."
     return {
         "text": track.motions[k - 1].text if k else "No motion is complete yet: the frame is at its start.",
         "pose": here.ravel().tolist(),
-        **screw,
+        "motion": following,
         "reached": k in track.names,
         "parts": parts,
         "ways": ways,
-        "turns": turns,
         "alt": f"{head} {moving} {pose_text(here)}.",
     }

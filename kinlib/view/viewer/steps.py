@@ -1,8 +1,8 @@
 """The player of steps: a list of stops that the reader goes through, forwards and back, in three dimensions.
 
 A stop is {"text", "alt", "parts", ...}: what it says, and what is drawn there (figures.parts). Where stops have joint values "q",
-the page interpolates between them; where they have a "pose" and a "screw", a frame moves along that screw to the next stop. All
-stops are sent at once, so the page needs no Python.
+the page interpolates between them; where they have a "pose" and a "motion", a frame moves by it about and along its own x or z to
+the next stop. All stops are sent at once, so the page needs no Python.
 """
 
 from collections.abc import Callable, Mapping, Sequence

@@ -34,8 +34,8 @@ def test_a_step_adds_to_the_drawing_and_marks_what_it_is_about():
     assert [frames_of(stop).get("1", {}).get("letters") for stop in stops[2:7]] == [None, "Oz", "Oxz", "Oxyz", "Oxz"]
     normals = [[part["name"] for part in stop["parts"] if part["name"].startswith("normal")] for stop in stops[1:5]]
     assert normals == [[], ["normal 1–2"], [], ["normal 1–2"]]
-    (mark,) = stops[3]["marks"]  # the origin is a point
-    assert mark["from"] == mark["to"] == [0.033, 0, 0.147]
+    assert stops[3]["marked"] == "O"
+    assert frames_of(stops[3])["1"]["pose"][3::4] == [0.033, 0, 0.147, 1]
 
 
 def test_rows_that_the_reader_is_to_find_are_not_on_the_page():

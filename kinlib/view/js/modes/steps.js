@@ -8,8 +8,7 @@ import { listen, save } from '../model.js';
 import { haloText, strokeLines } from '../render/pen.js';
 import { describeLinkage } from '../scene/describe.js';
 import { matrixOf } from '../scene/kinematic-tree.js';
-import { screwExp } from '../scene/screw-exp.js';
-import { solids } from '../scene/solids.js';
+import { column, originOf, solids } from '../scene/solids.js';
 import { add, minus } from '../vectors.js';
 import { configurationMap } from './configuration-map.js';
 import { dhTable } from './dh-table.js';
@@ -27,7 +26,7 @@ export function steps({ model, stage, data }) {
   const at = () => Math.min(model.get('at'), last());
   const passed = () => Math.floor(at() + WITHIN);
   const stop = () => stops()[passed()];
-  const isWalk = Boolean(variant().product); // motions of a frame, one after the other
+  const isWalk = Boolean(stop().motion); // motions of a frame, one after the other
   const countText = () =>
     isWalk ? `${Number(at().toFixed(1))} of ${last()} motions` : `${data.name} ${passed() + 1} of ${last() + 1}`;
   const controls = stepControls({
@@ -106,15 +105,19 @@ export function steps({ model, stage, data }) {
     const share = at() - passed();
     if (here.q) stage.setQ(here.q.map((value, k) => value + share * (there.q[k] - value)));
     else if (here.pose) {
-      const moved = here.screw ? screwExp(here.screw, share * here.value) : new Matrix4();
-      stage.tree.arms[0].tool.matrix.copy(moved.multiply(matrixOf(here.pose)));
+      const { axis, angle = 0, distance = 0 } = here.motion;
+      const along = new Vector3(Number(axis === 'x'), 0, Number(axis !== 'x'));
+      const moved = new Matrix4()
+        .makeRotationAxis(along, share * angle)
+        .setPosition(along.multiplyScalar(share * distance));
+      stage.tree.arms[0].tool.matrix.copy(matrixOf(here.pose).multiply(moved));
       stage.tree.arms[0].tool.matrixWorldNeedsUpdate = true;
       stage.tree.root.updateMatrixWorld(true);
     }
     if (drawn !== here) {
       const kit = { size, theme: stage.theme };
       stage.setLayer('stop', solids([...done('ways'), ...(here.parts ?? [])], kit), { through: true });
-      highlighter.mark(here.marks ?? []);
+      highlighter.mark(marksOf(here));
       // at a frame that stays, its own labels are shown; between two of them, the labels of the moving frame
       drawn = here;
     }
@@ -131,6 +134,19 @@ export function steps({ model, stage, data }) {
     stage.draw();
   }
 
+  /** The strokes over what a stop is about: strong lines, and the origin and axes of strong frames, as far as it names them. */
+  function marksOf({ marked = '', parts }) {
+    const strokesOf = ({ pose, length }) =>
+      [...'Oxyz'].map((letter, k) => {
+        const from = originOf(pose);
+        return { letter, from, to: k ? add(from, column(pose, k - 1), length * size) : from };
+      });
+    return (marked ? parts : [])
+      .filter(({ strong }) => strong)
+      .flatMap((part) => (part.kind === 'line' ? { ...part, letter: 'line' } : strokesOf(part)))
+      .filter(({ letter }) => marked.includes(letter));
+  }
+
   /** What the motions that are done have left. */
   const done = (kind) =>
     stops()
@@ -140,12 +156,13 @@ export function steps({ model, stage, data }) {
   /** The angles of motions as sectors, from the initial to the current direction of x or z. */
   function drawTurns(context, camera) {
     const now = isWalk && at() > passed() ? stop() : stops()[passed() - 1];
-    for (const [k, { turns = [] }] of isWalk ? stops().entries() : []) {
+    for (const [k, { pose, motion }] of isWalk ? stops().entries() : []) {
       const share = Math.max(0, Math.min(1, at() - k));
-      if (share > 0.001) for (const turn of turns) drawTurn(context, camera, turn, share, stops()[k] === now);
+      const turn = { ...motion, pose };
+      if (share > 0.001 && Math.abs(turn.angle) > 0.01) drawTurn(context, camera, turn, share, stops()[k] === now);
     }
   }
-  function drawTurn(context, camera, { pose, axis, angle, rise, name }, share, isNow) {
+  function drawTurn(context, camera, { pose, axis, angle, distance, name }, share, isNow) {
     const column = (k) => new Vector3(pose[k], pose[4 + k], pose[8 + k]);
     // a rotation about z takes x towards y; a rotation about x takes z towards -y
     const [from, to, up] =
@@ -155,7 +172,7 @@ export function steps({ model, stage, data }) {
       const point = column(3)
         .addScaledVector(from, r * Math.cos(phi))
         .addScaledVector(to, r * Math.sin(phi));
-      const { x, y } = camera.project(point.addScaledVector(up, (rise * phi) / angle), new Vector3());
+      const { x, y } = camera.project(point.addScaledVector(up, (distance * phi) / angle), new Vector3());
       return [x, y];
     };
     const points = Array.from({ length: ARC_SEGMENTS + 1 }, (_, i) =>
@@ -167,7 +184,7 @@ export function steps({ model, stage, data }) {
     context.fillStyle = colour;
     context.beginPath();
     for (const point of [pointAt(0, 0), ...points]) context.lineTo(...point);
-    if (!rise) context.fill(); // the line of a screw motion is a helix, which has no sector
+    if (!distance) context.fill(); // the line of a screw motion is a helix, which has no sector
     context.globalAlpha = isNow ? 1 : 0.55;
     strokeLines(context, [points], colour, 2);
     context.font = 'italic 600 15px "Cambria Math", Cambria, "DejaVu Serif", Georgia, serif';
@@ -186,7 +203,7 @@ export function steps({ model, stage, data }) {
   };
   const changedVariant = () => {
     stage.setLayer('still', solids(variant().still ?? [], { size, theme: stage.theme }));
-    product.replaceChildren(...factorsOf(variant().product ?? []));
+    product.replaceChildren(...factorsOf(stops().flatMap(({ motion }) => motion?.symbol ?? [])));
     changed();
   };
   const stopListening = listen(model, { at: changed, variant: changedVariant });
