@@ -15,9 +15,8 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.formatting import format_number
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import homogeneous
-from kinlib.view.drawing.canvas import Canvas, moved
+from kinlib.view.drawing.canvas import LABEL_OFFSETS, Canvas, moved
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GHOST_GREY, GREY, INK, VIOLET
-from kinlib.view.drawing.labels import LABEL_OFFSETS
 from kinlib.view.drawing.picture import Picture, crop
 
 SHEET_PX = (640.0, 900.0)

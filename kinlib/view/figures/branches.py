@@ -12,7 +12,6 @@ from numpy.typing import ArrayLike, NDArray
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint, inverse
-from kinlib.urdf.links_and_joints import UrdfJoint
 from kinlib.urdf.robot_tree import Tree
 from kinlib.urdf.xml_elements import Element
 from kinlib.view.figures.bodies import Body, body_of, visual_solids
@@ -65,13 +64,12 @@ def branches(robot: Chain | Tree, visuals: tuple[Tree, str] | None = None) -> li
     """
     if isinstance(robot, Chain):
         names = robot.joint_names or ("",) * robot.n
-        links = _links_of_arm(names, *visuals) if visuals else [[] for _ in range(robot.n + 1)]
-        return [Branch("", robot, np.arange(robot.n), np.ones(robot.n), names, 0, links)]
-    home, drawn = _home_poses(robot), set[str]()
+        arm = [Branch("", robot, np.arange(robot.n), np.ones(robot.n), names, 0, [[] for _ in range(robot.n + 1)])]
+        return _with_links(arm, *visuals) if visuals else arm
+    home = _home_poses(robot)
     found: list[Branch] = []
     for tip in robot.tips:
-        path: list[UrdfJoint] = [step.joint for step in robot.path(robot.root, tip)]
-        joints = [joint for joint in path if joint.name in robot.couplings]
+        joints = [step.joint for step in robot.path(robot.root, tip) if step.joint.name in robot.couplings]
         if not joints:
             continue
         frames = np.array([home[joint.child] for joint in joints])
@@ -82,19 +80,10 @@ def branches(robot: Chain | Tree, visuals: tuple[Tree, str] | None = None) -> li
         names = tuple(joint.name for joint in joints)
         shared = max((sum(a == b for a, b in zip(names, one.names, strict=False)) for one in found), default=0)
         chain = Chain(screws, home[tip], frames[:, :3, 3], robot.name)
-        # a link is fixed to what the moving joints above it move
-        links, body = [[] for _ in range(len(joints) + 1)], 0
-        for link, above in [(robot.root, ""), *((joint.child, joint.name) for joint in path)]:
-            body += above in names
-            if link not in drawn:
-                links[body].append((robot.link_elements[link], home[link]))
-                drawn.add(link)
-        found.append(Branch(tip, chain, drivers, factors, names, shared, links))
+        found.append(Branch(tip, chain, drivers, factors, names, shared, [[] for _ in range(len(joints) + 1)]))
     if not found:
         raise ValueError(f"A tree must have a joint that moves by one value to be shown; {robot.name} has none.")
-    # The way to no tip leads over what is fixed to the root, such as a pedestal.
-    found[0].links[0] += [(robot.link_elements[link], home[link]) for link in robot.links if link not in drawn]
-    return found
+    return _with_links(found, robot, robot.root)
 
 
 def _home_poses(tree: Tree) -> dict[str, Array]:
@@ -103,18 +92,19 @@ def _home_poses(tree: Tree) -> dict[str, Array]:
     return tree.poses(np.zeros(tree.n), joint_poses=free)
 
 
-def _links_of_arm(names: Sequence[str], tree: Tree, base: str) -> list[list[tuple[Element, Array]]]:
-    """Return the links of each body of an arm that is a part of a tree, with their poses in the frame of the base.
+def _with_links(found: list[Branch], tree: Tree, base: str) -> list[Branch]:
+    """Add to each body the links that are fixed to it, with their poses in the frame of the base.
 
-    All joints but those of the arm are at 0, so what hangs below them is fixed to a body.
+    What hangs below a joint of no branch, which is at 0, is fixed to the body above that joint.
     """
-    home, index, above = _home_poses(tree), {base: 0}, tree.parent_joints.items()
-    while found := [(link, one) for link, one in above if link not in index and one.parent in index]:
-        index |= {link: index[joint.parent] + (joint.name in names) for link, joint in found}
-    bodies: list[list[tuple[Element, Array]]] = [[] for _ in range(len(names) + 1)]
-    for link, body in index.items():
-        bodies[body].append((tree.link_elements[link], inverse(home[base]) @ home[link]))
-    return bodies
+    moved = {name: one.links[i] for one in found for i, name in enumerate(one.names, start=1) if i > one.shared}
+    home, bodies = _home_poses(tree), {base: found[0].links[0]}
+    above = tree.parent_joints.items()
+    while below := [(link, joint) for link, joint in above if link not in bodies and joint.parent in bodies]:
+        bodies |= {link: moved.get(joint.name, bodies[joint.parent]) for link, joint in below}
+    for link, body in bodies.items():
+        body.append((tree.link_elements[link], inverse(home[base]) @ home[link]))
+    return found
 
 
 def robot_body(found: Sequence[Branch]) -> tuple[Body, list[list[bool]]]:
