@@ -74,7 +74,7 @@ from kinlib.urdf.robot_tree import Tree
 
 if TYPE_CHECKING:
     from kinlib import symbolic, view
-    from kinlib.view.browser import show
+    from kinlib.view import show
 
     # For type checkers only: `help` would print every class and function named here, 1,700 lines.
     __all__ = [

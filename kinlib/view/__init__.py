@@ -21,13 +21,12 @@ from kinlib.view.figures.frames import draw_frames
 from kinlib.view.figures.linkage import draw_linkage
 
 if TYPE_CHECKING:
-    from kinlib.view.browser import show
     from kinlib.view.viewer.dh_players import play_assignment, play_row
     from kinlib.view.viewer.linkage_driver import drive
     from kinlib.view.viewer.pictures import film, slide
     from kinlib.view.viewer.place_frames import assign
     from kinlib.view.viewer.steps import slide_frames
-    from kinlib.view.viewer.viewer import explore
+    from kinlib.view.viewer.viewer import explore, show
 
 __all__ = [
     "Gallery",
@@ -49,13 +48,12 @@ __all__ = [
 ]
 
 LAZY_NAMES = {
-    "browser": {"show"},
     "viewer.dh_players": {"play_assignment", "play_row"},
     "viewer.linkage_driver": {"drive"},
     "viewer.steps": {"slide_frames"},
     "viewer.pictures": {"film", "slide"},
     "viewer.place_frames": {"assign"},
-    "viewer.viewer": {"explore"},
+    "viewer.viewer": {"explore", "show"},
 }
 """Modules that need ipywidgets and anywidget, and their names: imported on first use, because figures need neither."""
 
