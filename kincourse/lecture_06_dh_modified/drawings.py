@@ -6,8 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
-from kinlib.view.viewer.dh_players import Motion, Track, play_tracks
-from kinlib.view.viewer.steps import Steps
+from kinlib.view.viewer.steps import Motion, Steps, Track, play_tracks
 
 
 def play_walk(rows: ArrayLike, *, after: Any = None) -> Steps:

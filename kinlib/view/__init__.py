@@ -21,11 +21,10 @@ from kinlib.view.figures.frames import draw_frames
 from kinlib.view.figures.linkage import draw_linkage
 
 if TYPE_CHECKING:
-    from kinlib.view.viewer.dh_players import play_assignment, play_row
     from kinlib.view.viewer.linkage_driver import drive
     from kinlib.view.viewer.pictures import film, slide
     from kinlib.view.viewer.place_frames import assign
-    from kinlib.view.viewer.steps import slide_frames
+    from kinlib.view.viewer.steps import play_assignment, play_row, slide_frames
     from kinlib.view.viewer.viewer import explore, show
 
 __all__ = [
@@ -48,9 +47,8 @@ __all__ = [
 ]
 
 LAZY_NAMES = {
-    "viewer.dh_players": {"play_assignment", "play_row"},
     "viewer.linkage_driver": {"drive"},
-    "viewer.steps": {"slide_frames"},
+    "viewer.steps": {"play_assignment", "play_row", "slide_frames"},
     "viewer.pictures": {"film", "slide"},
     "viewer.place_frames": {"assign"},
     "viewer.viewer": {"explore", "show"},

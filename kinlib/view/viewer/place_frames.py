@@ -23,8 +23,8 @@ from kinlib.view.drawing.picture import vector_text
 from kinlib.view.figures.arm import describe_arm, draw_joints, frame_text
 from kinlib.view.figures.frames import span_on_axis
 from kinlib.view.figures.joint_bodies import arm_size, stations
-from kinlib.view.viewer.dh_players import table_cells
 from kinlib.view.viewer.scene import bare_scene
+from kinlib.view.viewer.steps import table_cells
 from kinlib.view.viewer.viewer import Viewer
 
 TWO_FRAME_RULES = {"x perpendicular to z", "x meets z"}
