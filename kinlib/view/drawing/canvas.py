@@ -277,11 +277,13 @@ class Canvas:
         return crop([picture])[0] if cropped else picture
 
     def _tiles(self, points: Array, side: int, room: float) -> Array:
-        """Return the positions of the grid lines along x (side 0) or y (side 1) that enclose points: at least two tiles.
+        """Return the positions of grid lines along x (side 0) or y (side 1), in steps of 1, 2 or 5, around points: at least two tiles.
 
         room  how much farther than the points the floor extends, in tiles
         """
-        step = _step(self._extent / 6)
+        rough = self._extent / 6
+        power = 10.0 ** np.floor(np.log10(rough))
+        step = next(power * digit for digit in (1, 2, 5, 10) if power * digit >= rough * 0.999)
         low, high = points[:, side].min() / step - room, points[:, side].max() / step + room
         low, high = np.floor(low + 0.01), np.ceil(high - 0.01)
         if high - low < 2:
@@ -298,12 +300,6 @@ class Canvas:
             strokes = radius * np.array([(1, 1), (1, -1)]) * 2 / 3
             marks += [svg.polyline(np.array([centre - stroke, centre + stroke]), colour, 1.3) for stroke in strokes]
         self._marks += [(level, mark) for mark in marks]
-
-
-def _step(rough: float) -> float:
-    """Round a length up to 1, 2 or 5 times a power of ten."""
-    power: float = 10.0 ** np.floor(np.log10(rough))
-    return next(power * digit for digit in (1, 2, 5, 10) if power * digit >= rough * 0.999)
 
 
 def moved(T: Array, points: Array) -> Array:

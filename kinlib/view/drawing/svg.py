@@ -61,15 +61,6 @@ def text(centre: Sequence[float] | Array, label: str, colour: str, size: float) 
     '<tspan font-style="italic">S</tspan><tspan dy="2.5" font-size="75%">1</tspan></text>'
     """
     place = f'x="{centre[0]:.1f}" y="{centre[1] + 0.35 * size:.1f}" text-anchor="middle" font-size="{size:g}"'
-    return f'<text {place} fill="{colour}" stroke="white" stroke-width="2.6" paint-order="stroke">{_tspans(label, size)}</text>'
-
-
-def plain_text(text: str) -> str:
-    """Return the characters of a label without its markup, for example to estimate its width."""
-    return "".join(part for part, _, _ in _parts(text))
-
-
-def _tspans(label: str, size: float) -> str:
     runs, shift = [], 0.0
     for part, is_math, level in _parts(label):
         baseline = -level * 0.25 * size
@@ -78,7 +69,13 @@ def _tspans(label: str, size: float) -> str:
         style += ' font-size="75%"' if level else ""
         style += ' font-style="italic"' if is_math and part.isalpha() else ""
         runs.append(f"<tspan{style}>{html.escape(part)}</tspan>" if style else html.escape(part))
-    return "".join(runs)
+    looks = f'fill="{colour}" stroke="white" stroke-width="2.6" paint-order="stroke"'
+    return f"<text {place} {looks}>{''.join(runs)}</text>"
+
+
+def plain_text(text: str) -> str:
+    """Return the characters of a label without its markup, for example to estimate its width."""
+    return "".join(part for part, _, _ in _parts(text))
 
 
 def _parts(text: str) -> list[tuple[str, bool, int]]:

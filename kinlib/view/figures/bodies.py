@@ -144,7 +144,8 @@ def body_of(chain: Chain, *, hand: bool = True) -> Body:
                 for rows in described["links"]
             )
             return Body(links, np.array(described["pose"], dtype=float), described["source"])
-    return _Builder(chain).body(hand)
+    built = _Builder(chain, hand)
+    return Body(tuple(map(tuple, built.links)), built.pose)
 
 
 def rim_points(solid: Primitive, eye: Array, count: int = 24) -> Array:
@@ -251,7 +252,7 @@ def _known_robots() -> list[tuple[Array, dict[str, Any]]]:
 class _Builder:
     """The body of any arm. Lengths are shares of its reach: the sum of the distances from joint to joint, and to the tool."""
 
-    def __init__(self, chain: Chain) -> None:
+    def __init__(self, chain: Chain, hand: bool) -> None:
         self.chain, n = chain, chain.n
         self.axes = chain.lines.axis
         self.slides = [letter == "P" for letter in chain.joint_types]
@@ -264,31 +265,25 @@ class _Builder:
         self.centres = path[:-1].copy()
         self.grip_at = self.tip
         self.links: list[list[Primitive]] = [[] for _ in range(n + 1)]
+        # a configuration within the limits that is not stretched out
+        shown = np.where(self.slides, 0.25 * self.sleeve, [(0.35, -0.5, 0.6)[i % 3] for i in range(n)])
+        self.pose = shown if chain.limits is None else np.clip(shown, *chain.limits.T)
+        self._separate()
+        for i in range(n):
+            self._joint(i)
+        if hand:
+            self._hand()
+        self._foot()
 
     def r(self, i: int) -> float:
         """The radius of joint i, which decreases towards the tool."""
         return self.radius * (1 - 0.38 * i / self.chain.n)
 
-    def body(self, hand: bool) -> Body:
-        self._separate()
-        for i in range(self.chain.n):
-            self._joint(i)
-        if hand:
-            self._hand()
-        self._foot()
-        return Body(tuple(map(tuple, self.links)), self._shown())
-
-    def _shown(self) -> Array:
-        """Return a configuration within the limits that is not stretched out."""
-        angles = [(0.35, -0.5, 0.6)[i % 3] for i in range(self.chain.n)]
-        q = np.where(self.slides, 0.25 * self.sleeve, angles)
-        return q if self.chain.limits is None else np.clip(q, *self.chain.limits.T)
-
     def _separate(self) -> None:
         """Move drums along their axes, and sleeves anywhere, so that joints that share a point are apart: from the tool back."""
         c, n, R = self.centres, self.chain.n, self.radius
         last, z = n - 1, self.tool[:, 2]
-        if _near(c[last], self.tip, 0.6 * R):
+        if np.linalg.norm(self.tip - c[last]) < 0.6 * R:
             if not self.slides[last] and abs(self.axes[last] @ z) > 0.9:
                 c[last] = self.tip - 1.3 * self.r(last) * z
             else:
@@ -301,7 +296,7 @@ class _Builder:
             if self.slides[i]:
                 if across < 0.6 * R and along < self.sleeve / 2 + 1.5 * r:
                     c[i] = there - (self.sleeve / 2 + 1.6 * r) * a
-            elif not self.slides[i + 1] and _near(c[i], there, 0.8 * r):
+            elif not self.slides[i + 1] and np.linalg.norm(way) < 0.8 * r:
                 sign = -1.0 if i == 0 else float(np.sign((c[i - 1] - c[i]) @ a)) or 1.0
                 c[i] = c[i] + sign * 1.9 * r * a
             elif abs(along) < 0.75 * np.linalg.norm(way) and (i > 0 or (along > 0 and a[2] > 0.9)):
@@ -337,7 +332,7 @@ class _Builder:
             before += [slab(a, p, 1.12 * half, q * S, (q + 0.07) * S, colour="blue") for q in (-0.52, 0.45)]
             after.append(slab(a, p, 0.56 * half, -0.45 * S, out, colour="metal"))
             end = p + out * a
-            if not _near(end, there, r):
+            if np.linalg.norm(there - end) >= r:
                 after.append(slab(a, p, 0.95 * half, out - 0.1 * S, out + 0.1 * S, colour="blue"))
                 after += tube([*end, 0.6 * half], [*there, thin])
             return
@@ -361,7 +356,3 @@ class _Builder:
             drum(z, self.grip_at, 0.8 * r, -0.35 * r, 0.02 * r, colour="metal"),
             *gripper(self.grip_at, z, y / np.linalg.norm(y), 1.75 * r),
         ]
-
-
-def _near(p: Array, q: Array, far: float) -> bool:
-    return bool(np.linalg.norm(p - q) < far)

@@ -111,7 +111,11 @@ def draw_linkage(
             canvas.line([here, there], ORANGE, 2.2, ":", level=3.6)
             canvas.dot(there, ORANGE, 7)
         if names:
-            canvas.label(here, _joint_label(joint.name), INK)
+            # for theta_1 the Greek letter with its subscript, for "joint 3" the number
+            head, _, low = joint.name.removeprefix("joint ").partition("_")
+            canvas.label(
+                here, rf"$\{head}_{{{low}}}$" if low and head in GREEK else joint.name.removeprefix("joint "), INK
+            )
     return canvas.picture(describe_linkage(mechanism, geometry, shade), caption, cropped=around is None)
 
 
@@ -137,12 +141,6 @@ def is_planar(mechanism: Mechanism) -> bool:
     """Whether a linkage moves in the x-y plane only: all rotations are about z, and all translations perpendicular to z."""
     screws = np.concatenate([joint.screws for joint in mechanism.joints])
     return bool(np.allclose(screws[:, [0, 1, 5]], 0))
-
-
-def _joint_label(name: str) -> str:
-    """Return the label of a joint: for theta_1 the Greek letter with its subscript, for "joint 3" the number."""
-    head, _, low = name.removeprefix("joint ").partition("_")
-    return rf"$\{head}_{{{low}}}$" if low and head in GREEK else name.removeprefix("joint ")
 
 
 def linkage_body(mechanism: Mechanism, configurations: Array) -> Body:
