@@ -109,20 +109,36 @@ def scene_of_parts(name: str, points: Array, size: float) -> dict[str, Any]:
 def arm_data(branch: Branch, *, bare: bool = False) -> dict[str, Any]:
     """Return a branch as data: joints, links, home and frames.
 
-    What an earlier branch shows too moves with this one, but is hidden. A bare arm, and a branch of a tree, have no frames but
-    those of base and tool.
+    A joint has its screw for the value that moves it, and where and how it is drawn. What an earlier branch shows too moves with
+    this one, but is hidden. A bare arm, and a branch of a tree, have no frames but those of base and tool.
     """
-    chain = branch.chain
+    chain, joints = branch.chain, []
+    axis, points = chain.lines.axis, chain.joint_points
+    screws, shifts = branch.multipliers[:, None] * chain.screws, axial_offsets(axis, points)
+    for i, letter in enumerate(chain.joint_types):
+        place = {"axis": axis[i].tolist(), "point": points[i].tolist(), "shift": float(shifts[i])}
+        named = {"number": int(branch.columns[i]) + 1, "name": branch.names[i], "hidden": i < branch.shared}
+        joints.append({"kind": letter, "screw": screws[i].tolist()} | place | (named if branch.tip else {}))
     base, tool = frame_data("s", 0, np.eye(4)), frame_data(branch.tip or "b", chain.n, chain.home)
-    ends = {"base": [] if branch.tip else [base], "tool": [tool]}
+    frames = {"base": [] if branch.tip else [base], "tool": [tool]}
+    if not (bare or branch.tip):
+        links = enumerate(homogeneous(np.eye(3), points), start=1)
+        frames |= {"links": [frame_data(str(i), i, T) for i, T in links]}
+        # A DH row has one variable, and a helical joint would need two.
+        for convention in () if "H" in chain.joint_types else ("standard", "modified"):
+            assigned = assign_frames(chain, convention=convention).frames
+            near = are_near(assigned[:, :3, 3], arm_size(chain))
+            shown = [frame_data(str(i), i, T) for i, T in enumerate(assigned) if near[i]]
+            shown += [base] * (not np.allclose(assigned[0], np.eye(4)))
+            frames[convention] = shown + [tool] * (not np.allclose(assigned[-1], chain.home))
     return ({"tip": branch.tip} if branch.tip else {}) | {
         "columns": branch.columns.tolist(),
-        "joints": _joints(branch),
+        "joints": joints,
         "links": [
             [] if i < branch.shared else link for i, link in enumerate(map(list, pairwise(stations(chain).tolist())))
         ],
         "home": chain.home.ravel().tolist(),
-        "frames": ends if bare or branch.tip else ends | _frames(chain, base, tool),
+        "frames": frames,
     }
 
 
@@ -166,35 +182,3 @@ def _slider(column: int, slides: bool, limits: Array, value: float) -> dict[str,
     far = DEFAULT_TRAVEL_M if slides else DEFAULT_ANGLE_RAD
     low, high = np.where(np.isfinite(limits), limits, (min(-far, value), max(far, value))).tolist()
     return {"column": column, "name": f"q_{column + 1}", "unit": "m" if slides else "rad", "low": low, "high": high}
-
-
-def _joints(branch: Branch) -> list[dict[str, Any]]:
-    """Return the joints of a branch: their screws for the values that move them, and where and how they are drawn."""
-    chain = branch.chain
-    axis = chain.lines.axis
-    shifts = axial_offsets(axis, chain.joint_points)
-    found = []
-    for i, letter in enumerate(chain.joint_types):
-        named = {"number": int(branch.columns[i]) + 1, "name": branch.names[i], "hidden": i < branch.shared}
-        joint = {
-            "kind": letter,
-            "screw": (branch.multipliers[i] * chain.screws[i]).tolist(),
-            "axis": axis[i].tolist(),
-            "point": chain.joint_points[i].tolist(),
-            "shift": float(shifts[i]),
-        }
-        found.append(joint | (named if branch.tip else {}))
-    return found
-
-
-def _frames(chain: Chain, base: dict[str, Any], tool: dict[str, Any]) -> dict[str, Any]:
-    """Return the frames on the links of an arm: one on each, and those of each convention with base and tool where they differ."""
-    links = enumerate(homogeneous(np.eye(3), chain.joint_points), start=1)
-    shown = {"links": [frame_data(str(i), i, T) for i, T in links]}
-    # A DH row has one variable, and a helical joint would need two.
-    for convention in () if "H" in chain.joint_types else ("standard", "modified"):
-        frames = assign_frames(chain, convention=convention).frames
-        drawable = [frame_data(str(i), i, T) for i, T in enumerate(frames) if are_near(T[:3, 3], arm_size(chain))]
-        drawable += [base] * (not np.allclose(frames[0], np.eye(4)))
-        shown[convention] = drawable + [tool] * (not np.allclose(frames[-1], chain.home))
-    return shown
