@@ -18,7 +18,7 @@ from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.screw import line
 from kinlib.view.figures.bodies import solid_data
 from kinlib.view.figures.linkage import draw_linkage, is_planar, linkage_body, linkage_geometry
-from kinlib.view.viewer.scene import room
+from kinlib.view.viewer.scene import room, scene_of_parts
 from kinlib.view.viewer.steps import Steps
 
 POINTS_PER_CURVE = 240
@@ -67,7 +67,8 @@ def drive(
         raise ValueError(f"{mechanism.name} has joint values {', '.join(mechanism.names)}; got {unknown[0]!r}.")
     given = [mechanism.trace(first, points=POINTS_PER_CURVE).q] if curves is None else curves
     traced = [validation.vectors(curve, "curves", mechanism.n) for curve in given]
-    angles = _angles(mechanism)
+    screws = np.concatenate([joint.screws for joint in mechanism.joints])
+    angles = (screws[:, :3] != 0).any(axis=1) & (np.abs(line(screws).pitch) <= tolerances.UNIT_LENGTH_TOL)
     gaps = [np.where(angles, wrap_angle(curve[-1] - curve[0]), curve[-1] - curve[0]) for curve in traced]
     which = int(np.argmin([np.linalg.norm(curve - first, axis=1).min() for curve in traced]))
     at = int(np.argmin(np.linalg.norm(traced[which] - first, axis=1)))
@@ -98,31 +99,23 @@ def drive(
     )
 
 
-def _angles(mechanism: Mechanism) -> Array:
-    """Return which joint values are angles, (n,)."""
-    screws = np.concatenate([joint.screws for joint in mechanism.joints])
-    return np.asarray((screws[:, :3] != 0).any(axis=1) & (np.abs(line(screws).pitch) <= tolerances.UNIT_LENGTH_TOL))
-
-
 def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[str, Any]:
-    """Return a linkage as data: for each moving body an arm that leads to it, the solids at its end, and the joints with names."""
+    """Return a linkage as data: for each body an arm that leads to it, the solids at its end, and the joints with names."""
     paths = spanning_tree(mechanism.joints, mechanism.ground)
-    names = [body for body in paths if body != mechanism.ground]
-    arms = [chain_along(mechanism.joints, paths[body], body) for body in names]
+    on = {name: {"arm": k, "body": "tool"} for k, name in enumerate(paths)}
+    arms = [chain_along(mechanism.joints, path, body) for body, path in paths.items() if path]
     some = configurations[:: max(1, len(configurations) // 60)]
     stations = np.concatenate([linkage_geometry(mechanism, q).all for q in some])
     size = max(float(np.ptp(linkage_geometry(mechanism, begin).all, axis=0).max()), 1e-3)
     look = PLANAR_VIEW_DEG if is_planar(mechanism) else SPATIAL_VIEW_DEG
     body = linkage_body(mechanism, np.concatenate([begin[None], configurations]))
-    on: dict[str, dict[str, Any]] = {mechanism.ground: {"arm": 0, "body": 0}}
-    on |= {name: {"arm": k, "body": "tool"} for k, name in enumerate(names)}
     shown = np.concatenate([stations, stations * (1, 1, 0) + (0, 0, body.lowest)])
-    return {
-        "name": mechanism.name,
+    ground = scene_of_parts(mechanism.name, shown, size)
+    return ground | {
         "bodies": list(mechanism.bodies),
         "planar": is_planar(mechanism),
-        "size": size,
-        "arms": [
+        "arms": ground["arms"]
+        + [
             {
                 "columns": arm.columns.tolist(),
                 "joints": [{"screw": screw} for screw in arm.chain.screws.tolist()],
@@ -130,6 +123,7 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
             }
             for arm in arms
         ],
+        "offered": ["axes"],
         "solids": [
             {**on[name], "parts": parts} for name, parts in zip(mechanism.bodies, solid_data(body.links), strict=True)
         ],
