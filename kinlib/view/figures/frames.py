@@ -184,20 +184,18 @@ def visible_features(assignment: FrameAssignment) -> tuple[NDArray[np.bool_], Ar
     return are_near(assignment.frames[:, :3, 3], size), feet[are_near(feet, size)]
 
 
-def span_on_axis(z: Array, point: Array, places: ArrayLike) -> tuple[float, float]:
-    """Return from where to where an axis must be drawn, measured from its point, to contain those of the places that are on it."""
+def ends_on_axis(z: Array, point: Array, places: ArrayLike, before: float, beyond: float) -> tuple[Array, Array]:
+    """Return both ends of an axis, so far before and beyond its point and those of the places that are on it."""
     off = np.reshape(places, (-1, 3)) - point
     along = [0.0, *(off[np.linalg.norm(np.cross(z, off), axis=-1) < 1e-9] @ z).tolist()]
-    return min(along), max(along)
+    return point + (min(along) - before) * z, point + (max(along) + beyond) * z
 
 
 def axis_ends(chain: Chain, feet: Array) -> list[tuple[Array, Array]]:
     """Return both ends of each joint axis, long enough to contain the tool and the feet (m, 3) of normals that are on it."""
-    size, found = arm_size(chain), []
-    for z, point in zip(chain.lines.axis, chain.joint_points, strict=True):
-        low, high = span_on_axis(z, point, [*feet, chain.home[:3, 3]])
-        found.append((point + (low - 0.24 * size) * z, point + (high + 0.34 * size) * z))
-    return found
+    size, places = arm_size(chain), [*feet, chain.home[:3, 3]]
+    lines = zip(chain.lines.axis, chain.joint_points, strict=True)
+    return [ends_on_axis(z, point, places, 0.24 * size, 0.34 * size) for z, point in lines]
 
 
 def _assigned(i: int, n: int, done: set[tuple[str, int | None]]) -> str:

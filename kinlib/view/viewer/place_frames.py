@@ -21,7 +21,7 @@ from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.rigid.lie import inverse, perpendicular
 from kinlib.view.drawing.picture import vector_text
 from kinlib.view.figures.arm import describe_arm, draw_joints, frame_text
-from kinlib.view.figures.frames import span_on_axis
+from kinlib.view.figures.frames import ends_on_axis
 from kinlib.view.figures.joint_bodies import arm_size, stations
 from kinlib.view.viewer.scene import bare_scene
 from kinlib.view.viewer.steps import table_cells
@@ -152,8 +152,8 @@ def frame_candidates(chain: Chain) -> dict[str, Any]:
     reach, points, lines = 0.3 * arm_size(chain), _merge(_origins(chain)), []
     joints = zip(chain.lines.axis, chain.joint_points, repeat([at for at, _ in points]))
     for z, point, places in [*joints, (chain.home[:3, 2], chain.home[:3, 3], [])]:
-        low, high = span_on_axis(z, point, places)
-        line = {"point": point, "along": z, "from": point + (low - reach) * z, "to": point + (high + reach) * z}
+        start, end = ends_on_axis(z, point, places, reach, reach)
+        line = {"point": point, "along": z, "from": start, "to": end}
         lines.append({name: _list(value) for name, value in line.items()})
     x = ((s * x, text) for x, *texts in _lines_for_x(chain) for s, text in zip((1, -1), texts, strict=True))
     return {

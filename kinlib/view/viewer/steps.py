@@ -21,14 +21,12 @@ from kinlib.dh.table import Convention, DHTable, format_rows, validate_conventio
 from kinlib.rigid.lie import exp
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import frame_text, pose_text
-from kinlib.view.figures.frames import assignment_stop, axis_ends, draw_assignment, visible_features
+from kinlib.view.figures.frames import assignment_stop, axis_ends, draw_assignment, ends_on_axis, visible_features
 from kinlib.view.figures.joint_bodies import stations
-from kinlib.view.figures.parts import Part, draw_parts_about, frame_part, line_part, tips
+from kinlib.view.figures.parts import draw_parts_about, frame_part, line_part, tips
 from kinlib.view.viewer.pictures import value_text
 from kinlib.view.viewer.scene import bare_scene, room, scene_of_parts
 from kinlib.view.viewer.viewer import Viewer
-
-Stop = dict[str, Any]
 
 AXIS_SHARE, SMALLEST_M = 0.3, 0.3
 """The length of the axes as a share of the extent of the origins, and the least extent, if the frames share an origin."""
@@ -96,13 +94,13 @@ class Steps(Viewer):
         self.q = self.stop.get("q", self.q)
 
     @property
-    def stops(self) -> list[Stop]:
+    def stops(self) -> list[dict[str, Any]]:
         """The stops of the variant that is shown."""
-        stops: list[Stop] = self._variants[self.variant]["stops"]
+        stops: list[dict[str, Any]] = self._variants[self.variant]["stops"]
         return stops
 
     @property
-    def stop(self) -> Stop:
+    def stop(self) -> dict[str, Any]:
         """The stop that is shown, or the last one that was passed."""
         return self.stops[max(0, min(int(self.at + 1e-9), len(self.stops) - 1))]
 
@@ -208,9 +206,7 @@ def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any
     >>> player.alt
     'Motions that move a frame: 2 of 4 done. The moving frame, standard convention, is at (0, 0, 0.6), x along (0.17, 0.985, 0), ...'
     """
-    values = validation.vectors(row, "row", 4)
-    if values.ndim != 1:
-        raise ValueError(f"row must be one row, of shape (4,); got {values.shape}.")
+    values = validation.single(validation.vectors(row, "row", 4), "row")
     shown: list[Convention] = list(MOTIONS) if convention is None else [validate_convention(convention)]
     names = {0: ("i−1", ""), 4: ("i", "")}
     return play_tracks({name: Track(_row_motions(values, name), AXIS_SPANS[name], names) for name in shown}, after)
@@ -265,13 +261,6 @@ def table_cells(table: DHTable) -> list[list[str]]:
     return [[cell.replace("-", "−") for cell in row] for row in format_rows(table, variable="q_{}".format)]
 
 
-def _axis(one: Array, other: Array, name: str, size: float) -> Part:
-    """Return the line along the z of a frame, long enough to contain two origins."""
-    z, distance = one[:3, 2], float((other - one)[:3, 3] @ one[:3, 2])
-    low, high = (one[:3, 3] + along * z for along in (min(0.0, distance) - 0.3 * size, max(0.0, distance) + 0.6 * size))
-    return line_part(low, high, "axis", name=name, dashed=True, tip=True)
-
-
 def play_tracks(tracks: Mapping[str, Track], after: Any = None) -> Steps:
     """Play motions: the moving frame, the ways it has made, and the frames it has reached.
 
@@ -284,8 +273,12 @@ def play_tracks(tracks: Mapping[str, Track], after: Any = None) -> Steps:
     variants: dict[str, dict[str, Any]] = {}
     points = [tips(every, FRAME_LENGTH * size)]
     for (name, track), poses in zip(tracks.items(), every, strict=True):
-        still = [_axis(poses[first], poses[last], axis, size) for axis, first, last in track.spans]
-        points += [np.array([part["from"], part["to"]]) for part in still]
+        still = []
+        for axis, first, last in track.spans:
+            z, start, end = poses[first, :3, 2], poses[first, :3, 3], poses[last, :3, 3]
+            ends = ends_on_axis(z, start, end, 0.3 * size, 0.6 * size)
+            still.append(line_part(*ends, "axis", name=axis, dashed=True, tip=True))
+            points.append(np.round(ends, 6))
         variants[name] = {
             "stops": [_stop(name, track, poses, k) for k in range(len(poses))],
             "still": [*still, frame_part(poses[-1], "Oxyz", length=0.9 * FRAME_LENGTH, strong=False)],
@@ -303,7 +296,7 @@ def play_tracks(tracks: Mapping[str, Track], after: Any = None) -> Steps:
     return Steps(scene_of_parts("a row of a DH table", shown, size), mode, draw, after=after)
 
 
-def _stop(name: str, track: Track, poses: Array, k: int) -> Stop:
+def _stop(name: str, track: Track, poses: Array, k: int) -> dict[str, Any]:
     """Return what a track shows after k motions; its way is that of the motion that follows."""
     here, parts = poses[k], []
     for reached, (sub, frame) in track.names.items():
