@@ -14,7 +14,7 @@ from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GHOST_GREY, GREY, L
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.body_drawing import draw_body
 from kinlib.view.figures.branches import Branch, branches, joint_share, robot_body
-from kinlib.view.figures.joint_bodies import carried_axes, draw_joint_bodies, stations
+from kinlib.view.figures.joint_bodies import body_motions, carried_axes, draw_joint_bodies, stations
 
 ARM_LAYERS = {"axes", "body axes", "home axes", "links", "tool", "base"}
 JOINT_KINDS = {"R": "revolute", "P": "prismatic", "H": "helical"}
@@ -57,15 +57,14 @@ def draw_arm(
     q = np.zeros(robot.n) if q is None else validation.single(robot.in_order(q), "q")
     ghost = None if ghost is None else validation.single(robot.in_order(ghost), "ghost")
     found = branches(robot)
-    body, moved = robot_body(found)[0], np.concatenate([branch.motions(q) for branch in found])
-    paths = [branch.stations(values) for branch in found for values in (q, ghost) if values is not None]
-    seen = np.concatenate([*paths, body.extent(moved)]) if around is None else np.reshape(around, (-1, 3))
+    body, moved = robot_body(found)[0], np.concatenate([body_motions(one.chain, one.values(q)) for one in found])
+    paths, ghosts = ([stations(one.chain, one.values(p)) for one in found if p is not None] for p in (q, ghost))
+    seen = np.concatenate([*paths, *ghosts, body.extent(moved)]) if around is None else np.reshape(around, (-1, 3))
     canvas = Canvas(seen, view, sizes=np.concatenate([stations(branch.chain) for branch in found]))
     canvas.floor(seen, height=body.lowest)
     canvas.size *= joint_share(found)
-    if ghost is not None:
-        for branch in found:
-            canvas.line(branch.stations(ghost), GHOST_GREY, 6.0, level=1)
+    for path in ghosts:
+        canvas.line(path, GHOST_GREY, 6.0, level=1)
     draw_body(canvas, body, moved)
     triads = [("s", np.eye(4), 0.2)] if "base" in show else []
     for branch in found:

@@ -15,7 +15,6 @@ from kinlib.rigid.lie import adjoint, inverse
 from kinlib.urdf.robot_tree import Tree
 from kinlib.urdf.xml_elements import Element
 from kinlib.view.figures.bodies import Body, body_of, visual_solids
-from kinlib.view.figures.joint_bodies import body_motions, stations
 
 LARGE_JOINTS = 12
 """If a robot has more joints than this, they are drawn smaller."""
@@ -45,14 +44,6 @@ class Branch:
     def values(self, q: ArrayLike) -> Array:
         """Return the values of its own joints for values (n,) of the independent ones."""
         return np.asarray(self.multipliers * np.asarray(q, dtype=float)[self.columns])
-
-    def stations(self, q: ArrayLike) -> Array:
-        """Return the points (k + 2, 3) through which its k joints run: the root, every joint, the tip."""
-        return stations(self.chain, self.values(q))
-
-    def motions(self, q: ArrayLike) -> Array:
-        """Return the motion of each body from home to q, (k + 1, 4, 4): body 0 is the base, body i is what joint i moves."""
-        return body_motions(self.chain, self.values(q))
 
 
 def branches(robot: Chain | Tree, visuals: tuple[Tree, str] | None = None) -> list[Branch]:

@@ -53,10 +53,16 @@ def scene(
         raise ValueError(f"{robot.name} has joints 1 to {robot.n}; got {wrong[0]!r}.")
     limits = np.full((robot.n, 2), (-np.inf, np.inf)) if robot.limits is None else robot.limits
     titles = robot.joint_names or [""] * robot.n
+    sliders = []
+    for k in (joint - 1 for joint in joints):
+        unit, far = ("m", DEFAULT_TRAVEL_M) if kinds[k] == "P" else ("rad", DEFAULT_ANGLE_RAD)
+        low, high = np.where(np.isfinite(limits[k]), limits[k], (min(-far, start[k]), max(far, start[k]))).tolist()
+        sliders.append({"column": k, "name": f"q_{k + 1}", "title": titles[k], "unit": unit, "low": low, "high": high})
     body, by_rule = robot_body(found)
     size = arm_size(*(branch.chain for branch in found))
-    seen = [body.extent(np.concatenate([branch.motions(start) for branch in found])), np.zeros((1, 3))]
-    seen += [branch.stations(q) for branch in found for q in (start, np.zeros(robot.n))]
+    moved = np.concatenate([body_motions(one.chain, one.values(start)) for one in found])
+    seen = [body.extent(moved), np.zeros((1, 3))]
+    seen += [stations(one.chain, one.values(q)) for one in found for q in (start, np.zeros(robot.n))]
     given = frames_on_links(robot, start, frames) if frames and isinstance(robot, Chain) else {}
     places = np.reshape([np.asarray(T)[:3, 3] for T in (frames or {}).values()], (-1, 3))
     seen.append(places[are_near(places, size)])
@@ -73,10 +79,7 @@ def scene(
         # If an arm is small compared with what is in view, its marks must stay large enough to be distinguished.
         "size": max(size, MIN_SIZE_IN_ROOM_RADII * region["radius"]) * joint_share(found),
         "arms": arms,
-        "sliders": [
-            _slider(k, kinds[k] == "P", limits[k], float(start[k])) | {"title": titles[k]}
-            for k in (joint - 1 for joint in joints)
-        ],
+        "sliders": sliders,
         # JSON has no infinity
         "limits": [] if robot.limits is None else np.where(np.isfinite(limits), limits, np.array(None)).tolist(),
         "room": region,
@@ -176,9 +179,3 @@ def room(points: Array, margin: float, look: Sequence[float] = VIEWS["default"])
 def frame_data(name: str, body: int, pose: Array) -> dict[str, Any]:
     """Return a frame on a body as data: its pose (4, 4) at home."""
     return {"name": name, "body": body, "pose": (np.asarray(pose) + 0.0).ravel().tolist()}
-
-
-def _slider(column: int, slides: bool, limits: Array, value: float) -> dict[str, Any]:
-    far = DEFAULT_TRAVEL_M if slides else DEFAULT_ANGLE_RAD
-    low, high = np.where(np.isfinite(limits), limits, (min(-far, value), max(far, value))).tolist()
-    return {"column": column, "name": f"q_{column + 1}", "unit": "m" if slides else "rad", "low": low, "high": high}

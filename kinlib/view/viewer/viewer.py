@@ -280,9 +280,11 @@ def show(
             f"show takes a Chain, DHTable, FrameAssignment, Tree or Mechanism, or what a function of kinlib.view returns; got "
             f"{validation.describe(shown)}."
         )
+    # Only a kernel displays HTML, not a script or a terminal.
+    shell: Any = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
     if path:
         shown.save(path)
-    elif _is_notebook():
+    elif shell is not None and type(shell).__name__ != "TerminalInteractiveShell":
         from IPython.display import display
 
         display(shown)
@@ -291,9 +293,3 @@ def show(
         shown.save(page)
         if not webbrowser.open(page.as_uri()):
             print(f"No web browser was found. Open this file in one: {page}")
-
-
-def _is_notebook() -> bool:
-    """Whether this runs in a kernel, which displays HTML, and not in a script or a terminal."""
-    shell: Any = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
-    return shell is not None and type(shell).__name__ != "TerminalInteractiveShell"

@@ -14,6 +14,7 @@ from kinlib.dh.table import table_frames
 from kinlib.view import explore
 from kinlib.view.drawing.canvas import VIEWS, view_axes
 from kinlib.view.figures.branches import branches
+from kinlib.view.figures.joint_bodies import stations
 from kinlib.view.viewer.scene import HEIGHT_PER_WIDTH
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
@@ -49,7 +50,7 @@ def test_every_branch_of_a_tree_ends_at_its_tip_and_every_joint_is_drawn_once(dr
     assert [branch.tip for branch in found] == list(tree.tips)
     for branch in found:
         np.testing.assert_allclose(branch.chain.fk(branch.values(q)), poses[branch.tip], atol=1e-9)
-        np.testing.assert_allclose(branch.stations(q)[-1], poses[branch.tip][:3, 3], atol=1e-9)
+        np.testing.assert_allclose(stations(branch.chain, branch.values(q))[-1], poses[branch.tip][:3, 3], atol=1e-9)
     arms = explore(tree, start=q).scene["arms"]
     shown = [joint["name"] for arm in arms for joint in arm["joints"] if not joint["hidden"]]
     assert sorted(shown) == sorted({name for branch in found for name in branch.names})
