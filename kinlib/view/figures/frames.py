@@ -22,6 +22,9 @@ from kinlib.view.figures.arm import describe_arm, frame_text, pose_text
 from kinlib.view.figures.joint_bodies import are_near, arm_size, draw_joint_bodies
 from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part, ranks, tips
 
+ASSIGNED = {"first": "Oxyz", "origin": "Oz", "x": "x", "y": "y", "last": "Oxyz"}
+"""What a step assigns of its frame: O for the origin, and axes."""
+
 MARKED = {"normal": "line", "row": "line", "origin": "O", "x": "line x", "y": "y", "first": "Oxyz", "last": "Oxyz"}
 """What a step is about, which the page marks: strong lines, and O, x, y and z of its frame."""
 
@@ -112,9 +115,8 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
     canvas.floor(seen)
     draw_joint_bodies(canvas, chain, chain.link_poses(np.zeros(chain.n)))
     # The joints have their numbers, so only lengths are named.
-    draw_parts(
-        canvas, [part | {"name": part["name"] * (part.get("width") == 4)} for part in stop["parts"]], canvas.size
-    )
+    parts = [part | {"name": part["name"] * (part.get("width") == 4)} for part in stop["parts"]]
+    draw_parts(canvas, parts, canvas.size)
     return canvas.picture(stop["alt"], caption, cropped=True)
 
 
@@ -140,7 +142,9 @@ def assignment_stop(assignment: FrameAssignment, k: int, count: int | None = Non
             parts.append(line_part(*ends, "normal", name=name * strong, width=width, dashed=True, strong=strong))
     if step.kind == "row" and i is not None:
         parts += translations(frames[i - 1 : i + 1], assignment.table.convention, first=i)
-    assigned = {j: _assigned(j, n, done) for j in range(n + 1)}
+    assigned = {
+        j: "".join(sorted("".join(on for kind, on in ASSIGNED.items() if (kind, j) in done))) for j in range(n + 1)
+    }
     shown = [j for j in range(n + 1) if assigned[j] and near[j]]
     for j, rank in zip(shown, ranks(frames[shown, :3, 3]), strict=True):
         T, strong = frames[j], finished or j == i or (step.kind == "row" and j in beside)
@@ -196,10 +200,3 @@ def axis_ends(chain: Chain, feet: Array) -> list[tuple[Array, Array]]:
     size, places = arm_size(chain), [*feet, chain.home[:3, 3]]
     lines = zip(chain.lines.axis, chain.joint_points, strict=True)
     return [ends_on_axis(z, point, places, 0.24 * size, 0.34 * size) for z, point in lines]
-
-
-def _assigned(i: int, n: int, done: set[tuple[str, int | None]]) -> str:
-    """Return which of O, x, y, z of frame i are assigned. The first and the last frame are assigned in one step."""
-    if i in (0, n):
-        return "Oxyz" if ("first" if i == 0 else "last", i) in done else ""
-    return "".join(sorted("".join(on for kind, on in (("origin", "Oz"), ("x", "x"), ("y", "y")) if (kind, i) in done)))

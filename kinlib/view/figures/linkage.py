@@ -174,18 +174,15 @@ def linkage_body(mechanism: Mechanism, configurations: Array) -> Body:
             else:
                 links[first] += [drum(axis, p, 0.8 * R, -3 * R, 0), drum(axis, p, R, -1.2 * R, 0, colour="blue")]
                 links[second].append(drum(axis, there, 0.42 * R, -high - R, 0))
-    for body in mechanism.bodies:
-        links[body] += [] if body == ground else _link(ends[body], R)
+    # a link is a bar from joint to joint, or a frame through more joints, in their order
+    for body, own in ends.items():
+        ways = pairwise([*own, *own[: len(own) > 2]]) if body != ground else ()
+        tubes = [tube([*a, 0.6 * R], [*b, 0.6 * R]) for a, b in ways if np.linalg.norm(b - a) > 1e-9]
+        links[body] += chain.from_iterable(tubes)
     places = np.unique(np.round(standing or ends[ground], 9), axis=0)
     low = float(places[:, 2].min()) - (0.1 if planar else 0.06) * size
     links[ground] += _base(places, low, R, plate=not planar and len(places) > 2)
     return Body(tuple(tuple(links[body]) for body in mechanism.bodies))
-
-
-def _link(ends: Array, R: float) -> list[Primitive]:
-    """Return a link: a bar from joint to joint, or a frame through more joints, in their order."""
-    ways = pairwise([*ends, *ends[: len(ends) > 2]])
-    return [solid for a, b in ways if np.linalg.norm(b - a) > 1e-9 for solid in tube([*a, 0.6 * R], [*b, 0.6 * R])]
 
 
 def _base(ground: Array, low: float, R: float, *, plate: bool) -> list[Primitive]:

@@ -78,10 +78,9 @@ def read_meshes(
     notes = []
     for why, names in refused.items():
         listed = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
-        if len(names) == 1:
-            notes.append(f"A mesh is not shown, {listed}: {why}")
-        else:
-            notes.append(f"{len(names)} meshes are not shown, {listed}: {re.sub('^it ', 'each ', why)}")
+        many = len(names) > 1
+        head = f"{len(names)} meshes are" if many else "A mesh is"
+        notes.append(f"{head} not shown, {listed}: {re.sub('^it ', 'each ', why) if many else why}")
     return files, meshes, notes
 
 

@@ -139,8 +139,7 @@ def film(draw: Callable[[float], Picture], scenes: Sequence[tuple[float, str]]) 
         for end, (_, caption) in zip(ends, scenes, strict=True)
     ]
     # the text of a picture is that of its scene
-    told = [keys[int(np.searchsorted(ends, k))] for k in range(len(pictures))]
-    shown = [replace(one, alt=key.alt, caption=key.caption) for one, key in zip(pictures, told, strict=True)]
+    shown = [replace(keys[int(np.searchsorted(ends, k))], svg=one.svg) for k, one in enumerate(pictures)]
     labels = [f"{k / FRAMES_PER_SECOND:.0f} of {durations.sum():.0f} s" for k in range(len(pictures))]
     looks = {"label": "Time", "rate": FRAMES_PER_SECOND, "ends": ends}
     return Pictures(keys, shown, labels, looks)

@@ -25,8 +25,7 @@ MIN_SIZE_IN_ROOM_RADII = 0.95
 HEIGHT_PER_WIDTH = 0.78
 """The shape of the picture on the page, as in js/viewer.js."""
 
-FRAME_LAYERS = ("base", "tool", "links", "standard", "modified")
-LAYERS = (*("axes", "body axes", "home axes"), *FRAME_LAYERS, *("dimensions", "trail"))
+LAYERS = ("axes", "body axes", "home axes", "base", "tool", "links", "standard", "modified", "dimensions", "trail")
 """The layers that the viewer can show: screw axes, frames, distances from joint to joint and the path of the tool."""
 
 DEFAULT_ANGLE_RAD, DEFAULT_TRAVEL_M = np.pi, 1.0
