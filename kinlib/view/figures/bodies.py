@@ -323,7 +323,6 @@ class _Builder:
         thin = 0.6 * self.r(i + 1) if i + 1 < n else 0.5 * r
         way = there - p
         length = float(np.linalg.norm(way))
-        u = way / length if length > 1e-9 else a
         before, after = self.links[i], self.links[i + 1]
         if self.slides[i]:
             half, S = 0.74 * r, self.sleeve
@@ -339,11 +338,8 @@ class _Builder:
         half = 0.92 * r
         before.append(drum(a, p, r, -half, half))
         after += [drum(a, p, 0.88 * r, s * (half + 0.01 * r), s * (half + 0.3 * r), colour="blue") for s in (-1, 1)]
-        if abs(u @ a) < 0.75:
-            after.append(drum(u, p, 0.78 * r, 0.86 * r, 1.26 * r, colour="dark"))
         if length > 1.6 * r:
-            knees = [(min(1.15 * r, 0.4 * length), 0.68 * r), (min(2.6 * r, 0.6 * length), 0.6 * r), (length, thin)]
-            after += tube(*[[*(p + s * u), radius] for s, radius in knees])
+            after += tube([*p, 0.66 * r], [*there, thin])
 
     def _hand(self) -> None:
         n, r = self.chain.n, self.r(self.chain.n)

@@ -1,4 +1,4 @@
-"""Linkages as machines: drums and balls at the joints, tubes and plates between them, feet, and gaps where a loop is open.
+"""Linkages as machines: drums and balls at the joints, tubes between them, feet, and gaps where a loop is open.
 
 A planar linkage is seen from above, any other in the projection of draw_arm.
 """
@@ -22,6 +22,8 @@ from kinlib.view.drawing.svg import GREEK
 from kinlib.view.figures.bodies import Body, Primitive, ball, drum, slab, tube
 from kinlib.view.figures.body_drawing import draw_body
 from kinlib.view.figures.joint_bodies import JOINT_RADIUS
+
+Z = np.array([0.0, 0, 1])
 
 GAP_TOL_M = 1e-6
 """If the two halves of a joint are farther apart than this, the gap is drawn."""
@@ -181,18 +183,8 @@ def linkage_body(mechanism: Mechanism, configurations: Array) -> Body:
         links[body] += chain.from_iterable(tubes)
     places = np.unique(np.round(standing or ends[ground], 9), axis=0)
     low = float(places[:, 2].min()) - (0.1 if planar else 0.06) * size
-    links[ground] += _base(places, low, R, plate=not planar and len(places) > 2)
+    feet = places * (1, 1, 0) + (0, 0, low)  # one under each joint of the ground, with a column up to it
+    links[ground] += [drum(Z, foot, 1.8 * R, 0, 0.4 * R, colour="dark") for foot in feet]
+    for foot, top in zip(feet, places + 1e-6 * Z, strict=True):
+        links[ground] += tube([*foot, 0.7 * R], [*top, 0.6 * R], colour="dark")
     return Body(tuple(tuple(links[body]) for body in mechanism.bodies))
-
-
-def _base(ground: Array, low: float, R: float, *, plate: bool) -> list[Primitive]:
-    """Return the ground at a height: one plate under all its joints, or a foot under each, and columns up to them."""
-    z = np.eye(3)[2]
-    feet = ground * (1, 1, 0) + (0, 0, low)
-    middle = feet.mean(axis=0)
-    wide = float(np.linalg.norm(feet - middle, axis=1).max()) + 2 * R
-    whole = [drum(z, middle, wide, 0, 0.5 * R, colour="dark")]
-    plates = whole if plate else [drum(z, foot, 1.8 * R, 0, 0.4 * R, colour="dark") for foot in feet]
-    columns = zip(feet, ground + 1e-6 * z, strict=True)
-    posts = [tube([*foot, 0.7 * R], [*top, 0.6 * R], colour="dark") for foot, top in columns]
-    return [*plates, *chain.from_iterable(posts)]
