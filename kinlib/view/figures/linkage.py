@@ -113,11 +113,9 @@ def draw_linkage(
             canvas.line([here, there], ORANGE, 2.2, ":", level=3.6)
             canvas.dot(there, ORANGE, 7)
         if names:
-            # for theta_1 the Greek letter with its subscript, for "joint 3" the number
-            head, _, low = joint.name.removeprefix("joint ").partition("_")
-            canvas.label(
-                here, rf"$\{head}_{{{low}}}$" if low and head in GREEK else joint.name.removeprefix("joint "), INK
-            )
+            label = joint.name.removeprefix("joint ")
+            head, _, low = label.partition("_")  # for theta_1 the Greek letter with its subscript
+            canvas.label(here, rf"$\{head}_{{{low}}}$" if low and head in GREEK else label, INK)
     return canvas.picture(describe_linkage(mechanism, geometry, shade), caption, cropped=around is None)
 
 

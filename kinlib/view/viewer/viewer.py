@@ -1,5 +1,7 @@
 """The 3-D viewer: a robot that moves in the page, in JupyterLab, in the browser lab and on a page without a kernel.
 
+`explore` makes one, and `show` shows one with a single call, in a notebook or, from a script, in the web browser.
+
 Python describes the robot once, as data (kinlib.view.viewer.scene). The page moves it by its screws and computes the pose from
 its scene graph, so a slider needs no answer from Python. Both sides share the traits below, and either side can set them.
 """
@@ -289,7 +291,7 @@ def show(
 
         display(shown)
     else:
-        page = Path(mkdtemp(prefix="kinlib-")) / "shown.html"
-        shown.save(page)
-        if not webbrowser.open(page.as_uri()):
-            print(f"No web browser was found. Open this file in one: {page}")
+        file = Path(mkdtemp(prefix="kinlib-")) / "shown.html"
+        shown.save(file)
+        if not webbrowser.open(file.as_uri()):
+            print(f"No web browser was found. Open this file in one: {file}")
