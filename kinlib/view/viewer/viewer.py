@@ -33,6 +33,7 @@ from kinlib.view.figures.branches import branches, joint_share
 from kinlib.view.figures.joint_bodies import body_motions
 from kinlib.view.figures.linkage import draw_linkage
 from kinlib.view.viewer.meshes import Packages, read_meshes
+from kinlib.view.viewer.pictures import Pictures
 from kinlib.view.viewer.scene import LAYERS, scene
 from kinlib.view.viewer.widget import STATIC, Covered
 
@@ -230,7 +231,7 @@ def explore(
 
 
 def show(
-    shown: Chain | DHTable | FrameAssignment | Tree | Mechanism | Picture | Gallery | Viewer,
+    shown: Chain | DHTable | FrameAssignment | Tree | Mechanism | Picture | Gallery | Viewer | Pictures,
     q: JointValues | None = None,
     *,
     path: str | PathLike[str] = "",
@@ -277,7 +278,7 @@ def show(
         raise ValueError(
             f"q must be given with a robot only; got it with a {type(shown).__name__}, which has been drawn already."
         )
-    if not isinstance(shown, Picture | Gallery | Viewer):
+    if not isinstance(shown, Picture | Gallery | Viewer | Pictures):
         raise ValueError(
             f"show takes a Chain, DHTable, FrameAssignment, Tree or Mechanism, or what a function of kinlib.view returns; got "
             f"{validation.describe(shown)}."

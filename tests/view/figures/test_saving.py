@@ -100,6 +100,8 @@ def test_show_takes_every_kind_of_robot_with_values_by_name(opened, tmp_path):
         kl.show(robot, q, path=tmp_path / "robot.svg")
         shown = ET.parse(tmp_path / "robot.svg").getroot()[1].text
         assert shown == alt if alt else "at q = (0.1, 0.2, 0.3)" in shown
+    kl.show(view.slide(lambda x: view.draw_arm(arm, [x, 0, 0]), "joint 1", [0, 1]), path=tmp_path / "slider.html")
+    assert "RPR, 3 joints" in (tmp_path / "slider.html").read_text("utf-8")
     assert view.draw_arm(named, by_name).alt == view.draw_arm(named, [0.1, 0.2, 0.3]).alt
     assert view.explore(named, start=by_name).q == [0.1, 0.2, 0.3]
     assert not opened
