@@ -82,8 +82,7 @@ def divide_by_length(values: Array, length: Array) -> Array:
 
     values (..., n), length (...) -> (..., n). So a stored axis is the same when it is read again.
     """
-    units: Array = values / np.where(np.abs(length - 1) <= 1e-15, 1.0, length)[..., None]
-    return units
+    return np.asarray(values / np.where(np.abs(length - 1) <= 1e-15, 1.0, length)[..., None])
 
 
 def rotation_angles(angle: Array) -> Array:
@@ -184,7 +183,14 @@ class TakesJointValues(ABC):
         array([1. , 0.5])
         """
         names = self._value_names
-        q = _stacked(q, names, self.name) if isinstance(q, Mapping) else array(q, argument)
+        if isinstance(q, Mapping):
+            if not names or {*q} != {*names}:
+                needed = _listed(names) or "they have no names, so pass an array"
+                given = _listed([*map(str, q)]) or "none"
+                raise ValueError(f"q must have a value for each joint of {self.name}: {needed}; got {given}.")
+            # single numbers are repeated for every configuration
+            q = np.stack(np.broadcast_arrays(*(array(q[name], f"q[{name!r}]") for name in names)), axis=-1)
+        q = array(q, argument)
         if q.shape[-1:] != (self.n,):
             advice = f"Pass one value for each of {_listed(names)}" if names else "Pass one value per joint"
             if q.ndim > 1 and q.shape[-2] == self.n:
@@ -213,8 +219,7 @@ class TakesLimitedValues(TakesJointValues):
         """
         lower, upper = self._limits.T
         q = self.in_order(q)
-        inside: NDArray[np.bool_] = ((lower <= q) & (q <= upper)).all(axis=-1)
-        return inside
+        return np.asarray(((lower <= q) & (q <= upper)).all(axis=-1))
 
     def random_configurations(self, count: int, seed: int = 0) -> Array:
         """Draw configurations within the limits, the same ones for the same seed: (count, n).
@@ -230,17 +235,6 @@ class TakesLimitedValues(TakesJointValues):
         low = np.where(has_lower, lower, np.where(has_upper, upper - 2 * np.pi, -np.pi))
         high = np.where(has_upper, upper, np.where(has_lower, lower + 2 * np.pi, np.pi))
         return np.random.default_rng(seed).uniform(low, high, (count, self.n))
-
-
-def _stacked(values: Mapping[str, ArrayLike], names: Sequence[str], robot: str) -> Array:
-    """Return values by name in the order of the names, (..., n); single numbers are repeated for every configuration."""
-    if {*values} != {*names}:
-        raise ValueError(
-            f"q must have a value for each joint of {robot}: {_listed(names) or 'they have no names, so pass an array'}; got "
-            f"{_listed([*map(str, values)]) or 'none'}."
-        )
-    columns = np.broadcast_arrays(*(array(values[name], f"q[{name!r}]") for name in names))
-    return np.stack(columns, axis=-1) if names else np.zeros(0)
 
 
 def suggest_name(name: object, names: Sequence[str], what: str) -> str:
