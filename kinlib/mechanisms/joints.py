@@ -22,7 +22,7 @@ class Joint:
     screws          (6,) or (k, 6)  one screw axis, or the k of a composite joint in order, from the first body on
     closing_offset  (4, 4)  the pose by which the drawing of the second body must be moved for the two bodies to meet in this
                     joint: the identity (the default), unless the linkage is drawn open
-    point           (3,)  where the joint is drawn, on the first body; `position` has a default for it
+    point           (3,)  where the joint is drawn, on the first body; by default the point of its first axis nearest to the origin
 
     Raises ValueError if a joint joins a body to itself.
 
@@ -34,7 +34,7 @@ class Joint:
     bodies: tuple[str, str]
     screws: Array = field(repr=False)
     closing_offset: Array = field(default_factory=lambda: np.eye(4), repr=False)
-    point: Array | None = field(default=None, repr=False)
+    point: Array = field(default_factory=lambda: np.empty(0), repr=False)
 
     def __post_init__(self) -> None:
         bodies = list(self.bodies)
@@ -43,16 +43,11 @@ class Joint:
             raise ValueError(f"Joint {self.name} must join two different bodies; got {given}. Pass the names of both.")
         screws = np.atleast_2d(axes(self.screws, f"screws of {self.name}"))
         # Chain validates the offset, and its message is right for a joint as well.
-        validated = {"screws": screws, "closing_offset": Chain(screws, self.closing_offset).home}
-        if self.point is not None:
-            validated["point"] = validation.vectors(self.point, f"point of {self.name}", 3)
-        for name, values in validated.items():
+        home = Chain(screws, self.closing_offset).home
+        drawn = self.point if np.size(self.point) else line(screws[0]).point
+        point = validation.vectors(drawn, f"point of {self.name}", 3)
+        for name, values in (("screws", screws), ("closing_offset", home), ("point", point)):
             object.__setattr__(self, name, validation.read_only_copy(values))
-
-    @property
-    def position(self) -> Array:
-        """Where the joint is drawn, (3,): the given point, or the point of its first axis that is nearest to the origin."""
-        return line(self.screws[0]).point if self.point is None else self.point
 
     @property
     def dof(self) -> int:

@@ -2,13 +2,14 @@
 
 Planar linkages lie in the plane of x and y. Unless a docstring says otherwise, they are drawn with every link stretched along
 x, so that all joint values are 0 there. Such a drawing is open, and the joint at which it is open has a closing offset.
-Every function raises ValueError for a length that is not positive.
+Every function raises ValueError for a length that is not positive. The document that a linkage is taken from is its `source`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -22,8 +23,6 @@ from kinlib.rigid.lie import exp, homogeneous
 from kinlib.rigid.screw import screw
 
 X, Y, Z = np.eye(3)
-PRISMATIC = np.inf
-"""The pitch of a prismatic joint."""
 
 
 def four_bar(ground: float, crank: float, coupler: float, rocker: float) -> Mechanism:
@@ -32,17 +31,14 @@ def four_bar(ground: float, crank: float, coupler: float, rocker: float) -> Mech
     A is the angle of the crank and D that of the rocker, both from x; B is the angle of the coupler relative to the crank, and C
     that of the coupler relative to the rocker. If one length is more than the sum of the others, it is built, but closes nowhere.
 
-    Source: Modern Robotics, example 2.3 and figure 2.4(a); Grashof's condition sorts its kinds.
-
     >>> four_bar(0.4, 0.1, 0.35, 0.3).names
     ('A', 'B', 'D', 'C')
     """
     _check_lengths(ground=ground, crank=crank, coupler=coupler, rocker=rocker)
     tip = (ground + rocker) * X
-    end = Joint("C", ("rocker", "coupler"), screw(Z, tip), _translation(tip - (crank + coupler) * X), tip)
     joints = [_pin("A", "ground", "crank", 0 * X), _pin("B", "crank", "coupler", crank * X)]
-    joints += [_pin("D", "ground", "rocker", ground * X), end]
-    return Mechanism(joints, name="four-bar", source="Modern Robotics, figure 2.4(a)")
+    joints += [_pin("D", "ground", "rocker", ground * X), _pin("C", "rocker", "coupler", tip, (crank + coupler) * X)]
+    return Mechanism(joints, name="four-bar", source="Modern Robotics, example 2.3 and figure 2.4(a)")
 
 
 def slider_crank(crank: float, rod: float, offset: float = 0.0) -> Mechanism:
@@ -51,49 +47,38 @@ def slider_crank(crank: float, rod: float, offset: float = 0.0) -> Mechanism:
     A is the angle of the crank from x, B that of the rod relative to the crank, x the displacement of the slider,
     and C the angle of the rod relative to the slider.
 
-    Source: Modern Robotics, example 2.3 and figure 2.4(b).
-
     >>> slider_crank(1, 3).trace([0, 0, 4, 0]).closed
     True
     """
     _check_lengths(crank=crank, rod=rod)
-    pin = offset * Y
-    joints = [
-        _pin("A", "ground", "crank", 0 * X),
-        _pin("B", "crank", "rod", crank * X),
-        Joint("x", ("ground", "slider"), screw(X, pitch=PRISMATIC), point=pin),
-        Joint("C", ("slider", "rod"), screw(Z, pin), _translation(pin - (crank + rod) * X), pin),
-    ]
-    return Mechanism(joints, name="slider-crank", source="Modern Robotics, figure 2.4(b)")
+    slide = Joint("x", ("ground", "slider"), screw(X, pitch=np.inf), point=offset * Y)
+    joints = [_pin("A", "ground", "crank", 0 * X), _pin("B", "crank", "rod", crank * X), slide]
+    joints += [_pin("C", "slider", "rod", offset * Y, (crank + rod) * X)]
+    return Mechanism(joints, name="slider-crank", source="Modern Robotics, example 2.3 and figure 2.4(b)")
 
 
 def five_bar(ground: float, left: tuple[float, float], right: tuple[float, float]) -> Mechanism:
     """A planar five-bar linkage: two arms of two links each, from A and from D, joined at C. Its mobility is 2.
 
-    Source: Modern Robotics, example 2.4 and figure 2.5(b).
-
     >>> five_bar(1, (1, 1), (1, 1)).kutzbach()
     2
     """
-    left_arm = _planar_arm(0.0, left, ("A", "B"))
-    right_arm = _planar_arm(ground, right, ("D", "E", "C"))
-    return Mechanism.from_branches(left_arm, right_arm, name="five-bar", source="Modern Robotics, figure 2.5(b)")
+    arms = _planar_arm(0.0, left, ["A", "B"]), _planar_arm(ground, right, ["D", "E", "C"])
+    return Mechanism.from_branches(*arms, name="five-bar", source="Modern Robotics, example 2.4 and figure 2.5(b)")
 
 
-def ten_links(left: Sequence[float] = (1.0,) * 5, right: Sequence[float] = (1.0,) * 5) -> Mechanism:
-    """A ring of ten links, joined to the ground at one of its ten joints, cut at the opposite one.
+def ten_links() -> Mechanism:
+    """A ring of ten links of one metre, joined to the ground at one of its ten joints, cut at the opposite one.
 
     q is theta_1 ... theta_5 of the left branch, theta_10 ... theta_6 of the right one, and the angle of the pin where they
     meet. Equation (3.81) of the source leaves the pin out, because it equates two points instead of poses.
 
-    Source: Forward kinematics II, (3.81), from LaValle, Planning Algorithms, section 3.4.
-
     >>> ten_links().kutzbach()
     8
     """
-    left_arm = _planar_arm(0.0, left, [f"theta_{i}" for i in range(1, 6)])
-    right_arm = _planar_arm(0.0, right, [*(f"theta_{i}" for i in range(10, 5, -1)), "pin"])
-    source = "Forward kinematics II, (3.81)"
+    left_arm = _planar_arm(0.0, [1.0] * 5, [f"theta_{i}" for i in range(1, 6)])
+    right_arm = _planar_arm(0.0, [1.0] * 5, [*(f"theta_{i}" for i in range(10, 5, -1)), "pin"])
+    source = "Forward kinematics II, (3.81), from LaValle, Planning Algorithms, section 3.4"
     return Mechanism.from_branches(left_arm, right_arm, name="ring of ten links", source=source)
 
 
@@ -102,8 +87,6 @@ def parallelogram(ground: float = 0.4, crank: float = 0.2) -> Mechanism:
 
     It is drawn closed, with all cranks parallel to y: it is closed at q = 0.
 
-    Source: Modern Robotics, example 2.6 and figure 2.7(a).
-
     >>> linkage = parallelogram()
     >>> linkage.kutzbach(), linkage.mobility([0, 0, 0, 0, 0, 0]).finite
     (0, 1)
@@ -111,23 +94,19 @@ def parallelogram(ground: float = 0.4, crank: float = 0.2) -> Mechanism:
     _check_lengths(ground=ground, crank=crank)
     joints = []
     for i, foot in enumerate((0 * X, ground / 2 * X, ground * X), start=1):
-        joints.append(_pin(f"A{i}", "ground", f"crank {i}", foot))
-        joints.append(_pin(f"B{i}", f"crank {i}", "coupler", foot + crank * Y))
-    return Mechanism(joints, name="parallelogram with a third crank", source="Modern Robotics, example 2.6")
+        bar = f"crank {i}"
+        joints += [_pin(f"A{i}", "ground", bar, foot), _pin(f"B{i}", bar, "coupler", foot + crank * Y)]
+    source = "Modern Robotics, example 2.6 and figure 2.7(a)"
+    return Mechanism(joints, name="parallelogram with a third crank", source=source)
 
 
-def triangle(side: float = 1.0) -> Mechanism:
-    """A triangle of three bars joined by revolute joints, one bar the ground: a structure.
-
-    It is drawn closed.
-
-    Source: Modern Robotics, (2.4), with N = J = 3.
+def triangle() -> Mechanism:
+    """A triangle of three bars of one metre joined by revolute joints, one bar the ground: a structure, which is drawn closed.
 
     >>> triangle().mobility([0, 0, 0]).finite
     0
     """
-    _check_lengths(side=side)
-    return _two_bars(side * (X / 2 + np.sqrt(3) / 2 * Y), side * X, "triangle", "Modern Robotics, (2.4)")
+    return _two_bars(X / 2 + np.sqrt(3) / 2 * Y, X, "triangle", "Modern Robotics, (2.4), with N = J = 3")
 
 
 def stretched_arch(left: float = 0.5, right: float = 0.5) -> Mechanism:
@@ -135,14 +114,13 @@ def stretched_arch(left: float = 0.5, right: float = 0.5) -> Mechanism:
 
     It is drawn closed, and has an infinitesimal motion there, but no finite one.
 
-    Source: the textbook example of infinitesimal mobility; a triangle of height 0.
-
     >>> mobility = stretched_arch().mobility([0, 0, 0])
     >>> mobility.infinitesimal, mobility.finite
     (1, 0)
     """
     _check_lengths(left=left, right=right)
-    return _two_bars(left * X, (left + right) * X, "stretched arch", "a triangle of height 0")
+    source = "a triangle of height 0, the textbook example of infinitesimal mobility"
+    return _two_bars(left * X, (left + right) * X, "stretched arch", source)
 
 
 def bennett(a: float = 1.0, alpha: float = np.pi / 3, b: float = 0.6) -> Mechanism:
@@ -152,7 +130,6 @@ def bennett(a: float = 1.0, alpha: float = np.pi / 3, b: float = 0.6) -> Mechani
     offsets. It is a standard DH table whose last frame is its first.
 
     Raises ValueError if there is no twist beta with this sine.
-    Source: Bennett, A new mechanism, Engineering 76 (1903); McCarthy and Soh, Geometric Design of Linkages.
 
     >>> bennett().kutzbach()
     -2
@@ -160,29 +137,26 @@ def bennett(a: float = 1.0, alpha: float = np.pi / 3, b: float = 0.6) -> Mechani
     _check_lengths(a=a, b=b)
     if abs(sine := b * np.sin(alpha) / a) > 1:
         raise ValueError(f"b sin(alpha) / a, a sine, must be at most 1; got {sine:.3g}. Try a smaller b.")
-    beta = np.arcsin(sine)
-    return _ring([(a, alpha), (b, beta)] * 2, "Bennett's linkage", "Bennett (1903)")
+    source = "Bennett, A new mechanism, Engineering 76 (1903); McCarthy and Soh, Geometric Design of Linkages"
+    return _ring([(a, alpha), (b, np.arcsin(sine))] * 2, "Bennett's linkage", source)
 
 
 def bricard(a: float = 1.0, alpha: float = np.pi / 2) -> Mechanism:
     """Bricard's threefold symmetric linkage: six revolute joints, links of equal length, alternating twists alpha and -alpha.
 
-    Source: Chen, You and Tarnai, Threefold-symmetric Bricard linkages for deployable structures, Int. J. of Solids and
-    Structures 42 (2005).
-
     >>> bricard().kutzbach()
     0
     """
     _check_lengths(a=a)
-    return _ring([(a, alpha), (a, -alpha)] * 3, "Bricard's linkage", "Chen, You and Tarnai (2005)")
+    source = "Chen, You and Tarnai, Threefold-symmetric Bricard linkages for deployable structures (2005)"
+    return _ring([(a, alpha), (a, -alpha)] * 3, "Bricard's linkage", source)
 
 
 def sarrus(side: float = 0.3, rise: float = 0.2) -> Mechanism:
     """Sarrus's linkage: two pairs of hinged plates in perpendicular planes, whose top moves along a straight line.
 
-    It is drawn closed: at q = 0 the top is 2 rise above the ground, with the knees bent outwards.
-
-    Source: Sarrus, Comptes Rendus 36 (1853): the first linkage that converts rotation into motion along a straight line.
+    It is drawn closed: at q = 0 the top is 2 rise above the ground, with the knees bent outwards. It was the first linkage that
+    converts rotation into motion along a straight line.
 
     >>> linkage = sarrus()
     >>> linkage.kutzbach(), linkage.mobility([0] * 6).finite
@@ -192,12 +166,10 @@ def sarrus(side: float = 0.3, rise: float = 0.2) -> Mechanism:
     joints = []
     for out, axis, leg in ((X, Y, "x"), (Y, -X, "y")):
         bodies = ("ground", f"lower plate {leg}", f"upper plate {leg}", "top")
-        heights = (side * out, side * out + rise * (out + Z), side * out + 2 * rise * Z)
-        joints += [
-            Joint(f"{part} {leg}", (bodies[k], bodies[k + 1]), screw(axis, heights[k]), point=heights[k])
-            for k, part in enumerate(("foot", "knee", "head"))
-        ]
-    return Mechanism(joints, name="Sarrus's linkage", source="Sarrus (1853)")
+        points = (side * out, side * out + rise * (out + Z), side * out + 2 * rise * Z)
+        for part, pair, point in zip(("foot", "knee", "head"), pairwise(bodies), points, strict=True):
+            joints.append(Joint(f"{part} {leg}", pair, screw(axis, point), point=point))
+    return Mechanism(joints, name="Sarrus's linkage", source="Sarrus, Comptes Rendus 36 (1853)")
 
 
 def stewart_gough(base: float = 0.5, platform: float = 0.3, height: float = 0.6) -> Mechanism:
@@ -205,8 +177,6 @@ def stewart_gough(base: float = 0.5, platform: float = 0.3, height: float = 0.6)
 
     base and platform are the radii on which the feet and the heads of the legs lie. It is drawn closed. Each leg has a
     universal joint at its foot, a prismatic joint along it, and a spherical joint at its head.
-
-    Source: Modern Robotics, example 2.8, figure 1.1(b) and 7.1.2; Gough (1956), Stewart (1965).
 
     >>> stewart_gough().kutzbach()
     6
@@ -222,15 +192,17 @@ def stewart_gough(base: float = 0.5, platform: float = 0.3, height: float = 0.6)
         across = np.cross(Z, along) / np.linalg.norm(np.cross(Z, along))
         joints += [
             Joint(f"U{leg}", ("ground", f"shin {leg}"), universal(across, np.cross(along, across), foot), point=foot),
-            Joint(f"P{leg}", (f"shin {leg}", f"shaft {leg}"), screw(along, pitch=PRISMATIC), point=(foot + head) / 2),
+            Joint(f"P{leg}", (f"shin {leg}", f"shaft {leg}"), screw(along, pitch=np.inf), point=(foot + head) / 2),
             Joint(f"S{leg}", (f"shaft {leg}", "plate"), spherical(head), point=head),
         ]
-    return Mechanism(joints, name="Stewart-Gough platform", source="Modern Robotics, example 2.8")
+    source = "Modern Robotics, example 2.8, figure 1.1(b) and 7.1.2; Gough (1956), Stewart (1965)"
+    return Mechanism(joints, name="Stewart-Gough platform", source=source)
 
 
-def _pin(name: str, first: str, second: str, point: Array) -> Joint:
-    """A revolute joint of a planar linkage."""
-    return Joint(name, (first, second), screw(Z, point), point=point)
+def _pin(name: str, first: str, second: str, point: Array, drawn: Array | None = None) -> Joint:
+    """A revolute joint of a planar linkage; if the linkage is drawn open there, its second body has this point elsewhere."""
+    gap = homogeneous(np.eye(3), 0 * point if drawn is None else point - drawn)
+    return Joint(name, (first, second), screw(Z, point), gap, point)
 
 
 def _two_bars(top: Array, foot: Array, name: str, source: str) -> Mechanism:
@@ -244,19 +216,13 @@ def _planar_arm(foot: float, lengths: Sequence[float], names: Sequence[str]) -> 
     _check_lengths(**{f"length {i}": length for i, length in enumerate(lengths, start=1)})
     x = foot + np.concatenate([[0.0], np.cumsum(lengths)])
     points = x[: len(names), None] * X
-    tip = _translation(x[-1] * X)
-    return Chain(np.array([screw(Z, p) for p in points]), tip, points, joint_names=tuple(names))
+    return Chain(screw(Z, points), homogeneous(np.eye(3), x[-1] * X), points, joint_names=tuple(names))
 
 
 def _ring(links: Sequence[tuple[float, float]], name: str, source: str) -> Mechanism:
     """A closed ring of revolute joints without offsets, from the length and the twist of each link."""
     rows = [{"a": a, "alpha": alpha, "d": 0, "theta": "q"} for a, alpha in links]
-    chain = DHTable(rows, convention="standard", name=name).to_chain()
-    return Mechanism.from_chain(replace(chain, source=source))
-
-
-def _translation(p: Array) -> Array:
-    return homogeneous(np.eye(3), p)
+    return Mechanism.from_chain(replace(DHTable(rows, "standard", name=name).to_chain(), source=source))
 
 
 def _check_lengths(**lengths: float) -> None:

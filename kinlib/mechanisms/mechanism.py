@@ -6,8 +6,7 @@ beginning. So a loop is written as a `Chain`, and its closure equation as fk(q) 
     e^[S1]q1 ... e^[Sk]qk  =  e^[S1']q1' ... e^[Sm']qm'           two branches that meet
     e^[S1]q1 ... e^[Sk]qk  e^[-Sm']qm' ... e^[-S1']q1'  =  I      the same equation, once around the loop
 
-These are six equations for each loop, in as many unknowns as its joints have degrees of freedom: a system of nonlinear,
-trigonometric equations. The Jacobian of the left side is the space Jacobian of the open chain.
+These are six nonlinear equations for each loop, in as many unknowns as its joints have degrees of freedom.
 """
 
 from __future__ import annotations
@@ -18,29 +17,19 @@ from functools import cached_property
 from typing import NamedTuple, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_vector, html_table
 from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
-from kinlib.mechanisms.closure import Closure
-from kinlib.mechanisms.continuation import Curve
+from kinlib.mechanisms.continuation import Curve, trace_curve
 from kinlib.mechanisms.joints import Joint
-from kinlib.mechanisms.levenberg_marquardt import null_space, validate_solution
-from kinlib.mechanisms.mobility import Mobility, finite_mobility, group_dimension
-from kinlib.mechanisms.paths import (
-    JointPath,
-    Traversal,
-    chain_along,
-    fundamental_cycles,
-    joints_of_chain,
-    spanning_tree,
-)
-from kinlib.rigid.lie import inverse, log
+from kinlib.mechanisms.levenberg_marquardt import Equations, null_space, solve, validate_solution
+from kinlib.mechanisms.mobility import Mobility, finite_mobility, group_dimension, search_modes
+from kinlib.mechanisms.paths import JointPath, fundamental_cycles, joints_of_chain, reach, spanning_tree
+from kinlib.rigid.lie import inverse, left_jacobian_inverse, log
 from kinlib.rigid.screw import line
-from kinlib.rigid.se3_jacobians import left_jacobian_inverse
-
-JOINT_HEADINGS = ["joint", "bodies", "omega", "v"]
 
 
 class Assembly(NamedTuple):
@@ -64,7 +53,7 @@ class Mechanism(TakesJointValues):
 
     Raises ValueError for anything but joints, if a body is not connected to the ground, if two joints have the same name, and if
     there is no loop.
-    Source: Modern Robotics, chapters 2 and 7; Forward kinematics II, (3.81).
+    Source: Modern Robotics, chapters 2 and 7; Forward kinematics II, (3.81), from LaValle, Planning Algorithms, section 3.4.
 
     >>> linkage = kl.linkages.four_bar(ground=0.4, crank=0.1, coupler=0.35, rocker=0.3)
     >>> assembly = linkage.assemble([0, 0.5, 1, 0.5], hold={"A": np.pi / 2})
@@ -88,7 +77,7 @@ class Mechanism(TakesJointValues):
         if duplicates := sorted({name for name in names if names.count(name) > 1}):
             raise ValueError(f"The names of the joints must be different; got {', '.join(duplicates)} more than once.")
         bodies = {body for joint in self.joints for body in joint.bodies}
-        if unconnected := sorted(bodies - set(self._tree)):
+        if unconnected := sorted(bodies - {*self.paths}):
             raise ValueError(f"Joints must lead from {self.ground} to every body; not to {', '.join(unconnected)}.")
         if not self.loops:
             raise ValueError(f"A mechanism must have a loop; the joints of {self.name} form a tree. Use kl.Chain.")
@@ -98,22 +87,22 @@ class Mechanism(TakesJointValues):
 
     def __str__(self) -> str:
         """Write the joints: their values in q, the bodies that they join, and their screw axes."""
-        return f"{self._title}\n{aligned_table([JOINT_HEADINGS, *self._joint_rows()])}"
+        return f"{self._title}\n{aligned_table(self._joint_table())}"
 
     def _repr_html_(self) -> str:
-        return html_table(self._title, JOINT_HEADINGS, self._joint_rows())
+        heads, *rows = self._joint_table()
+        return html_table(self._title, heads, rows)
 
     @property
     def _title(self) -> str:
         count = len(self.loops)
         return f"{self.name}, {len(self.joints)} joints, {count} loop{'s'[: count != 1]}, ground: {self.ground}"
 
-    def _joint_rows(self) -> list[list[str]]:
-        pairs = ((joint, S) for joint in self.joints for S in joint.screws)
-        return [
-            [name, " - ".join(joint.bodies), format_vector(S[:3]), format_vector(S[3:])]
-            for name, (joint, S) in zip(self.names, pairs, strict=True)
-        ]
+    def _joint_table(self) -> list[list[str]]:
+        bodies = [" - ".join(joint.bodies) for joint in self.joints for _ in joint.screws]
+        columns = zip(self.names, bodies, self.screws, strict=True)
+        rows = ([name, joined, format_vector(S[:3]), format_vector(S[3:])] for name, joined, S in columns)
+        return [["joint", "bodies", "omega", "v"], *rows]
 
     @classmethod
     def from_chain(cls, chain: Chain) -> Self:
@@ -125,17 +114,13 @@ class Mechanism(TakesJointValues):
         0
         """
         validation.instance(chain, "chain", Chain)
-        joints = joints_of_chain(chain, "", "ground", chain.home)
-        return cls(joints, "ground", chain.name, chain.source)
+        return cls(joints_of_chain(chain, "", "ground", chain.home), "ground", chain.name, chain.source)
 
     @classmethod
     def from_branches(cls, *branches: Chain, name: str = "linkage", source: str = "") -> Self:
         """Join the end-effectors of open chains that begin at one ground: T_1(q_1) = T_2(q_2) = ..., the form of (3.81).
 
         The values of q are those of the first branch, then those of the second, and so on.
-
-        Raises ValueError for fewer than two branches, which form no loop.
-        Source: Forward kinematics II, (3.81), from LaValle, Planning Algorithms, section 3.4.
 
         >>> Mechanism.from_branches(kl.robots.rpr(), kl.robots.rpr()).n
         6
@@ -150,24 +135,40 @@ class Mechanism(TakesJointValues):
     @property
     def n(self) -> int:
         """The number of joint values: the sum of the degrees of freedom of all joints."""
-        return sum(joint.dof for joint in self.joints)
+        return len(self.screws)
 
     @cached_property
+    def screws(self) -> Array:
+        """The screw axis (n, 6) of each joint value."""
+        return np.concatenate([joint.screws for joint in self.joints])
+
+    @cached_property
+    def is_angle(self) -> NDArray[np.bool_]:
+        """Which joint values are angles (n,), those of revolute joints, and so the same again after 2 pi."""
+        return np.asarray(np.abs(line(self.screws).pitch) <= tolerances.UNIT_LENGTH_TOL)
+
+    @property
     def names(self) -> tuple[str, ...]:
         """The name of each joint value: that of its joint, or name.1, name.2, ... if the joint has several degrees of freedom."""
         numbered = ((joint, f".{k}" if joint.dof > 1 else "") for joint in self.joints for k in range(1, joint.dof + 1))
         return tuple(joint.name + number for joint, number in numbered)
 
+    _value_names = names
+
     @property
     def bodies(self) -> tuple[str, ...]:
         """Every body, the ground first, then by the number of joints between it and the ground."""
-        return tuple(self._tree)
+        return tuple(self.paths)
+
+    @cached_property
+    def paths(self) -> dict[str, JointPath]:
+        """The shortest path over joints from the ground to every body, as an open chain; that to the ground itself is empty."""
+        return spanning_tree(self.joints, self.ground)
 
     @cached_property
     def loops(self) -> tuple[JointPath, ...]:
         """The independent loops, each as the open chain that must come back to its beginning: chain.fk(q[..., columns]) = I."""
-        cycles = fundamental_cycles(self.joints, self._tree)
-        return tuple(chain_along(self.joints, cycle, f"loop {i}") for i, cycle in enumerate(cycles, start=1))
+        return tuple(fundamental_cycles(self.joints, self.paths))
 
     def residual(self, q: JointValues) -> Array:
         """Compute the closure error of each loop: the logarithm of the pose at its end, 0 if the loop is closed.
@@ -200,9 +201,8 @@ class Mechanism(TakesJointValues):
                [ 0., -1.]])
         """
         q = self.in_order(q)
-        identity = np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4))
-        moved = {body: path.chain.fk(q[..., path.columns]) for body, path in self._paths.items()}
-        return {self.ground: identity} | moved
+        moved = {body: path.chain.fk(q[..., path.columns]) for body, path in self.paths.items() if path.steps}
+        return {self.ground: np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4))} | moved
 
     def assemble(self, guess: JointValues, hold: Mapping[str, float] | None = None) -> Assembly:
         """Close the linkage near a guess (n,), while some joint values are held.
@@ -217,9 +217,10 @@ class Mechanism(TakesJointValues):
         >>> kl.linkages.four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0]).converged        # the three short links do not reach
         False
         """
-        closure = self._closure(guess, hold, "guess")
-        q, residual = closure.assemble()
-        return Assembly(validation.read_only_copy(q), residual, residual <= closure.tolerance)
+        equations, start, held, free = self._closure(guess, hold, "guess")
+        found = solve(equations, start[None])
+        q, residual = held + free @ found.x[0], float(found.residual[0])
+        return Assembly(validation.read_only_copy(q), residual, residual <= equations.tolerance)
 
     def assembly_modes(self, hold: Mapping[str, float] | None = None) -> Array:
         """Find the ways of assembling the linkage while some joint values are held: configurations (m, n), each once.
@@ -232,36 +233,36 @@ class Mechanism(TakesJointValues):
         >>> len(kl.linkages.four_bar(4, 1, 3.5, 3).assembly_modes(hold={"A": 1.0}))
         2
         """
+        equations, _, held, free = self._closure(np.zeros(self.n), hold)
+        # A prismatic joint may have to travel twice the size of the linkage, and a helical joint as many turns as this takes.
+        pitch = np.clip(np.abs(line(self.screws).pitch), tolerances.UNIT_LENGTH_TOL, 1)
+        search_range = np.where(self.is_angle, np.pi, 2 * max(reach(loop.centred) for loop in self.loops) / pitch)
 
-        def poses(q: Array) -> Array:
-            return np.stack(list(self.poses(q).values()), axis=1)
+        def poses(x: Array) -> Array:
+            return np.stack(list(self.poses(held + x @ free.T).values()), axis=1)
 
-        return self._closure(np.zeros(self.n), hold).search_modes(poses)
+        return held + search_modes(equations, search_range @ free, poses) @ free.T
 
-    def trace(
-        self, start: JointValues, hold: Mapping[str, float] | None = None, step: float = 0.2, points: int | None = None
-    ) -> Curve:
+    def trace(self, start: JointValues, hold: Mapping[str, float] | None = None, points: int | None = None) -> Curve:
         """Follow the motion from a configuration (n,) in both directions, through dead points, until it closes or ends.
 
-        step    the longest step along the curve, radians and metres together
         points  the number of configurations to return, at about equal steps; None: as many as the tracing needed
 
         A curve ends where no configuration closes further on, or after 5000 steps. It goes straight on where it crosses another
         curve, for example where a parallelogram lies flat.
 
         Raises ValueError if the start does not close, or the linkage does not have exactly one degree of freedom there.
-        Source: pseudo-arclength continuation, as in Allgower and Georg, Numerical Continuation Methods (1990).
 
         >>> linkage = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
         >>> curve = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0])
-        >>> curve.closed, curve.residual < 1e-12
+        >>> curve.closed, bool(np.abs(linkage.residual(curve.q)).max() < 1e-12)
         (True, True)
         """
-        if not (np.isfinite(step) and step > 0):
-            raise ValueError(f"step must be a positive length along the curve; got {step!r}. Try 0.2.")
         if points is not None and points < 2:
             raise ValueError(f"A curve must have at least two points; got points={points!r}.")
-        return self._closure(start, hold, "start").trace(step, points)
+        equations, x, held, free = self._closure(start, hold, "start")
+        curve = trace_curve(equations, x, points)
+        return curve._replace(q=held + curve.q @ free.T)
 
     def mobility(self, q: JointValues) -> Mobility:
         """Find the mobility at a configuration (n,): by counting, to first order there, and by finite motions.
@@ -273,10 +274,10 @@ class Mechanism(TakesJointValues):
         >>> mobility.kutzbach, mobility.finite
         (-2, 1)
         """
-        closure = self._closure(q, None)
-        J = validate_solution(closure.equations, closure.start, closure.tolerance)
+        equations, start, *_ = self._closure(q, None)
+        solution, J = validate_solution(equations, start)
         directions, singular_values = null_space(J)
-        finite = finite_mobility(closure.equations, closure.start, directions, closure.tolerance)
+        finite = finite_mobility(equations, solution, directions)
         return Mobility(self.kutzbach(), directions.shape[1], finite, singular_values, directions)
 
     def kutzbach(self) -> int:
@@ -292,19 +293,6 @@ class Mechanism(TakesJointValues):
         """
         return self.n - sum(group_dimension(loop.centred.screws) for loop in self.loops)
 
-    @cached_property
-    def _tree(self) -> dict[str, list[Traversal]]:
-        """The path over joints from the ground to every body."""
-        return spanning_tree(self.joints, self.ground)
-
-    @cached_property
-    def _paths(self) -> dict[str, JointPath]:
-        return {body: chain_along(self.joints, path, body) for body, path in self._tree.items() if path}
-
-    @property
-    def _value_names(self) -> tuple[str, ...]:
-        return self.names
-
     def _linearized(self, q: Array, chains: Sequence[Chain]) -> tuple[Array, Array]:
         """The residual (..., 6 l) of the loops, written as these chains, and its Jacobian (..., 6 l, n)."""
         r = np.empty((*q.shape[:-1], 6 * len(chains)))
@@ -315,34 +303,31 @@ class Mechanism(TakesJointValues):
             J[..., rows, loop.columns] = left_jacobian_inverse(r[..., rows]) @ chain.jacobian(q_loop)
         return r, J
 
-    def _closure(self, configuration: JointValues, hold: Mapping[str, float] | None, argument: str = "q") -> Closure:
-        """The closure equations in the joint values that are not held, with a configuration (n,) as start."""
+    def _closure(
+        self, configuration: JointValues, hold: Mapping[str, float] | None, argument: str = "q"
+    ) -> tuple[Equations, Array, Array, Array]:
+        """The closure equations in the k joint values x that are not held, and x, held and free with q = held + free x.
+
+        x (k,) is the configuration q, from which a search begins; held (n,) and free (n, k).
+        """
         q = validation.single(self.in_order(configuration, argument), argument).copy()
         validation.instance({} if hold is None else hold, "hold", Mapping)
         for name, value in (hold or {}).items():
             if name not in self.names:
                 raise ValueError(f"A held name must be one of {', '.join(self.names)}; got {name!r}.")
             q[self.names.index(name)] = validation.array(value, name)
-        free = np.array([i for i, name in enumerate(self.names) if name not in (hold or {})], dtype=np.intp)
-        if not len(free):
+        is_free = np.array([name not in (hold or {}) for name in self.names])
+        if not is_free.any():
             raise ValueError("At least one joint value must not be held; all are held. Leave one out of hold.")
-        pitch = np.abs(np.concatenate([line(joint.screws).pitch for joint in self.joints]))
-        is_angle = pitch <= tolerances.UNIT_LENGTH_TOL
-        size = max(loop.size for loop in self.loops)
-        farthest = max(float(np.linalg.norm(loop.centre)) for loop in self.loops) + size
-        # A prismatic joint may have to travel twice the size of the linkage, and a helical joint as many turns as this takes.
-        search_range = np.where(is_angle, np.pi, 2 * size / np.clip(pitch, tolerances.UNIT_LENGTH_TOL, 1))
-        tolerance = 1e-13 * (1 + farthest)  # rounding errors grow with the distance from the origin
+        held, free = np.where(is_free, 0.0, q), np.eye(self.n)[:, is_free]
         # About the centre of each loop, so that the accuracy does not depend on where the origin is.
         centred = [loop.centred for loop in self.loops]
 
-        def with_held(x: Array) -> Array:
-            configurations = np.tile(q, (len(x), 1))
-            configurations[:, free] = x
-            return configurations
+        def linearize(x: Array) -> tuple[Array, Array]:
+            r, J = self._linearized(held + x @ free.T, centred)
+            return r, J @ free
 
-        def equations(x: Array) -> tuple[Array, Array]:
-            r, J = self._linearized(with_held(x), centred)
-            return r, J[..., free]
-
-        return Closure(equations, q[free], with_held, is_angle[free], search_range[free], tolerance)
+        tolerance = 1e-13 * (
+            1 + max(reach(loop.chain) for loop in self.loops)
+        )  # rounding errors grow with the distance
+        return Equations(linearize, tolerance, self.is_angle[is_free]), q[is_free], held, free

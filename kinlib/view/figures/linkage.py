@@ -57,8 +57,8 @@ def linkage_geometry(mechanism: Mechanism, q: JointValues) -> LinkageGeometry:
     for joint, own in zip(mechanism.joints, own_values, strict=True):
         here, there = (poses[body] for body in joint.bodies)
         # A prismatic joint moves its second body along; the other joints keep both bodies at one point.
-        first.append(moved(reduce(np.matmul, exp(joint.screws * own[:, None]), here), joint.position))
-        second.append(moved(there @ inverse(joint.closing_offset), joint.position))
+        first.append(moved(reduce(np.matmul, exp(joint.screws * own[:, None]), here), joint.point))
+        second.append(moved(there @ inverse(joint.closing_offset), joint.point))
     moves = np.array([poses[body] for body in mechanism.bodies])
     return LinkageGeometry(moves, np.array(first), np.array(second))
 
@@ -67,8 +67,8 @@ def body_points(mechanism: Mechanism) -> dict[str, Array]:
     """Return for each body the points of its joints, (k, 3), which move with it."""
     found: dict[str, list[Array]] = {body: [] for body in mechanism.bodies}
     for joint in mechanism.joints:
-        found[joint.bodies[0]].append(joint.position)
-        found[joint.bodies[1]].append(moved(inverse(joint.closing_offset), joint.position))
+        found[joint.bodies[0]].append(joint.point)
+        found[joint.bodies[1]].append(moved(inverse(joint.closing_offset), joint.point))
     return {body: np.array(places) for body, places in found.items()}
 
 
@@ -139,8 +139,7 @@ def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry, ghost: Lin
 
 def is_planar(mechanism: Mechanism) -> bool:
     """Whether a linkage moves in the x-y plane only: all rotations are about z, and all translations perpendicular to z."""
-    screws = np.concatenate([joint.screws for joint in mechanism.joints])
-    return bool(np.allclose(screws[:, [0, 1, 5]], 0))
+    return bool(np.allclose(mechanism.screws[:, [0, 1, 5]], 0))
 
 
 def linkage_body(mechanism: Mechanism, configurations: Array) -> Body:
@@ -156,7 +155,7 @@ def linkage_body(mechanism: Mechanism, configurations: Array) -> Body:
     standing: list[Array] = []
     for joint, column in zip(mechanism.joints, columns, strict=False):
         first, second = joint.bodies
-        p, there = joint.position, moved(inverse(joint.closing_offset), joint.position)
+        p, there = joint.point, moved(inverse(joint.closing_offset), joint.point)
         axis, slides = line(joint.screws[0]).axis, not joint.screws[0, :3].any()
         if ground in joint.bodies and not slides:
             standing.append(p if first == ground else there)

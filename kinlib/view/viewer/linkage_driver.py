@@ -10,10 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import tolerances, validation
+from kinlib.arrays import validation
 from kinlib.arrays.validation import Array, JointValues
 from kinlib.mechanisms.mechanism import Mechanism
-from kinlib.mechanisms.paths import chain_along, spanning_tree
 from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.screw import line
 from kinlib.view.figures.bodies import solid_data
@@ -67,9 +66,7 @@ def drive(
         raise ValueError(f"{mechanism.name} has joint values {', '.join(mechanism.names)}; got {unknown[0]!r}.")
     given = [mechanism.trace(first, points=POINTS_PER_CURVE).q] if curves is None else curves
     traced = [validation.vectors(curve, "curves", mechanism.n) for curve in given]
-    screws = np.concatenate([joint.screws for joint in mechanism.joints])
-    angles = (screws[:, :3] != 0).any(axis=1) & (np.abs(line(screws).pitch) <= tolerances.UNIT_LENGTH_TOL)
-    gaps = [np.where(angles, wrap_angle(curve[-1] - curve[0]), curve[-1] - curve[0]) for curve in traced]
+    gaps = [np.where(mechanism.is_angle, wrap_angle(curve[-1] - curve[0]), curve[-1] - curve[0]) for curve in traced]
     which = int(np.argmin([np.linalg.norm(curve - first, axis=1).min() for curve in traced]))
     at = int(np.argmin(np.linalg.norm(traced[which] - first, axis=1)))
     variants = list(labels) or [f"curve {k + 1}" for k in range(len(traced))]
@@ -85,7 +82,7 @@ def drive(
         "map": {
             "columns": [mechanism.names.index(name) for name in named],
             "all": list(mechanism.names),
-            "angles": angles.tolist(),
+            "angles": mechanism.is_angle.tolist(),
         },
     }
     return Steps(
@@ -101,9 +98,7 @@ def drive(
 
 def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[str, Any]:
     """Return a linkage as data: for each body an arm that leads to it, the solids at its end, and the joints with names."""
-    paths = spanning_tree(mechanism.joints, mechanism.ground)
-    on = {name: {"arm": k, "body": "tool"} for k, name in enumerate(paths)}
-    arms = [chain_along(mechanism.joints, path, body) for body, path in paths.items() if path]
+    on = {name: {"arm": k, "body": "tool"} for k, name in enumerate(mechanism.bodies)}
     some = configurations[:: max(1, len(configurations) // 60)]
     stations = np.concatenate([linkage_geometry(mechanism, q).all for q in some])
     size = max(float(np.ptp(linkage_geometry(mechanism, begin).all, axis=0).max()), 1e-3)
@@ -121,7 +116,7 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
                 "joints": [{"screw": screw} for screw in arm.chain.screws.tolist()],
                 "home": arm.chain.home.ravel().tolist(),
             }
-            for arm in arms
+            for arm in [*mechanism.paths.values()][1:]
         ],
         "offered": ["axes"],
         "solids": [
@@ -132,7 +127,7 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
                 **on[joint.bodies[0]],
                 "name": joint.name,
                 "joins": list(joint.bodies),
-                "at": joint.position.tolist(),
+                "at": joint.point.tolist(),
                 "axis": line(joint.screws[0]).axis.tolist() if joint.dof == 1 else None,
             }
             for joint in mechanism.joints

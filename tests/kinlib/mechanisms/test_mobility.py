@@ -4,7 +4,7 @@ import numpy as np
 
 from kinlib import screw
 from kinlib.mechanisms.joints import spherical, universal
-from kinlib.mechanisms.levenberg_marquardt import null_space
+from kinlib.mechanisms.levenberg_marquardt import Equations, null_space
 from kinlib.mechanisms.mobility import finite_mobility, group_dimension
 
 X, Y, Z = np.eye(3)
@@ -44,11 +44,11 @@ def test_joints_generate_the_groups_of_herve_s_list():
 def polynomial(value, slopes):
     """Equations for many points from the value and the gradient at one."""
 
-    def equations(x):
+    def linearize(x):
         r = np.stack([np.atleast_1d(value(*row)) for row in x])
         return r, np.stack([np.reshape(slopes(*row), (r.shape[1], -1)) for row in x])
 
-    return equations
+    return Equations(linearize, 1e-13, np.array([False]))
 
 
 SETS = {
@@ -73,6 +73,6 @@ SETS = {
 def test_finite_mobility_is_the_dimension_of_the_solution_set():
     for name, (infinitesimal, finite, point, *functions) in SETS.items():
         equations, start = polynomial(*functions), np.array(point, dtype=float)
-        directions, _ = null_space(equations(start[None])[1][0])
+        directions, _ = null_space(equations.linearize(start[None])[1][0])
         assert directions.shape[1] == infinitesimal, name
-        assert finite_mobility(equations, start, directions, tolerance=1e-13) == finite, name
+        assert finite_mobility(equations, start, directions) == finite, name
