@@ -27,8 +27,8 @@ from kinlib.dh.equivalence import CHOICES, describe_pose, equivalent, measured_d
 from kinlib.dh.explanation.rounding import typed_half_units, with_right_angles
 from kinlib.dh.explanation.search import TableExplanation, explain_by_choices
 from kinlib.dh.formatting import PRINTED_DIGITS, headings
+from kinlib.dh.parsing import Assumption
 from kinlib.dh.read_table import read_table
-from kinlib.dh.reading.grid import Assumption
 from kinlib.dh.slips import NUMBERS, OTHER_CONVENTION, Fault, wrong_number
 from kinlib.dh.table import Convention, DHTable, format_rows, table_frames
 from kinlib.rigid.lie import nearest_rotation

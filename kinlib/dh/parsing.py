@@ -1,4 +1,4 @@
-"""The columns of DH tables, and their entries as people type them.
+"""The columns of DH tables, their entries and headings as people type them, and the rows of cells that a text has.
 
 An entry may contain the joint variable (`q1`, `theta_1`, `d_2`), pi, fractions, units, and named lengths.
 """
@@ -8,6 +8,7 @@ import math
 import operator
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -15,7 +16,8 @@ import numpy as np
 COLUMNS = ("a", "alpha", "d", "theta")
 ANGLE_COLUMNS = ("alpha", "theta")
 
-LENGTH_UNITS, ANGLE_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}, {"rad": 1.0, "deg": math.pi / 180}
+UNITS = {"length_unit": {"m": 1.0, "cm": 1e-2, "mm": 1e-3}, "angle_unit": {"rad": 1.0, "deg": math.pi / 180}}
+"""The units of lengths in metres and of angles in radians, by the arguments of `read_table`."""
 
 NUMBER = r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
@@ -26,9 +28,8 @@ VARIABLE = re.compile(r"(?:q|theta|d)_?\d*", re.ASCII)
 
 OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv}
 
-MAX_ENTRY_LENGTH, MAX_LENGTH_M, MIN_LENGTH_MM = 200, 1e12, 5.0
-"""The maximum number of characters of an entry; of a and d in metres, beyond which a pose resolves no millimetre; and the smallest
-length that is taken as one in millimetres."""
+MAX_ENTRY_LENGTH, MAX_LENGTH_M = 200, 1e12
+"""The maximum number of characters of an entry; and of a and d in metres, beyond which a pose resolves no millimetre."""
 
 
 def joint_entries(joints: str) -> list[tuple[int, int]]:
@@ -70,7 +71,7 @@ def read_entry(cell: str, column: str, names: Mapping[str, Entry]) -> Entry:
         return Entry(0j)
     text = re.sub(r"(?i)^(?:var\w*|joint\w*|theta_?[ijkn]?|q_?[ijkn]?|d_?[ijkn])$", "q", text)
     units = {"m" if unit[2] else "rad" for unit in UNIT.finditer(text)}
-    text = UNIT.sub(lambda f: f"({f[1]}*{LENGTH_UNITS[f[2]] if f[2] else 'pi/180' if f[3] else 1})", text)
+    text = UNIT.sub(lambda f: f"({f[1]}*{UNITS['length_unit'][f[2]] if f[2] else 'pi/180' if f[3] else 1})", text)
     text = re.sub(rf"({NUMBER}|\))\s*(?=(?:pi|q_?\d*)\b|theta)", r"\1*", text)
     try:
         # Python also reads 0x1F and 1_000, but people do not.
@@ -79,11 +80,8 @@ def read_entry(cell: str, column: str, names: Mapping[str, Entry]) -> Entry:
         tree = ast.parse(text, mode="eval").body
         used = list(dict.fromkeys(node.id for node in ast.walk(tree) if isinstance(node, ast.Name)))
         variables = [name for name in used if VARIABLE.fullmatch(name) and (column == "d" or name[0] != "d")]
-        values = {
-            **dict.fromkeys(variables, 1j),
-            "pi": math.pi,
-            **{name: names[name].value for name in used if name in names},
-        }
+        values = {**dict.fromkeys(variables, 1j), "pi": math.pi}
+        values |= {name: names[name].value for name in used if name in names}
         if not np.isfinite(value := _evaluate(tree, values)):
             raise ValueError("not finite")
     except (SyntaxError, KeyError, TypeError, ZeroDivisionError, ValueError) as error:
@@ -124,3 +122,97 @@ def _evaluate(node: ast.expr, values: Mapping[str, complex]) -> complex:
             if not other.imag or isinstance(op, ast.Add | ast.Sub) or (isinstance(op, ast.Mult) and not one.imag):
                 return complex(OPERATORS[type(op)](one, other))
     raise TypeError(ast.dump(node))
+
+
+COLUMN_NAMES = {
+    name: column
+    for column, names in {
+        "a": "a r length linklength",
+        "alpha": "alpha alfa alph al twist linktwist psi",
+        "d": "d s linkoffset",
+        "theta": "theta th q angle jointangle v var variable",
+        "offset": "offset thetaoffset offsettheta theta0 zero jointoffset qoffset",
+        "type": "type sigma jointtype kind",
+        "flip": "flip",
+    }.items()
+    for name in names.split()
+}
+"""The names that people give to columns, in small letters without signs and indices."""
+
+OTHER_WORDS = {"angle", "joint", "length", "link", "offset", "twist", "dh", "arm", "self", "robot", "value", "val", "list"}  # fmt: skip
+"""The words that may be beside the name of a column: link length a, dh_alpha_values."""
+
+NEEDED, ALL_COLUMNS = {"a", "alpha", "d"}, {*COLUMNS, "offset"}
+
+HEADING_UNIT = re.compile(
+    r"(?:\bin\b)?[\[(/,_]?\s*(?:(?<![a-zA-Z])(mm|cm|m|millimet\w+|met(?:er|re)s?|rad|radians?|deg|degrees?)\b|°)\.?\s*[\])]?"
+)
+INDEX = re.compile(r"[_\s({\[]*(?:[ijkn]|\d)\s*(-\s*1)?[)}\]]*\s*$")
+
+
+class Heading(NamedTuple):
+    """A heading: its column, or "" if it is none; its unit, and the convention whose index it has: i standard, i-1 modified."""
+
+    column: str
+    unit: str = ""
+    convention: str = ""
+
+
+def parse_heading(head: str) -> Heading:
+    """Read a heading, or the name that code has for a column.
+
+    >>> parse_heading("alpha_{i-1} (deg)")
+    Heading(column='alpha', unit='deg', convention='modified')
+    """
+    plain, unit = head.strip(" \"'`*:!{}").replace("\\", "").lower(), ""
+    if len(plain) > MAX_ENTRY_LENGTH or re.search(r"[⁻⁺]|min|max|lim(?!e)|range", plain):  # limits of a joint
+        return Heading("")
+    if found := HEADING_UNIT.search(plain):
+        unit = {"°": "deg", "mi": "mm", "me": "m", "ra": "rad", "de": "deg"}.get((found[1] or "°")[:2], found[1])
+        plain = (plain[: found.start()] + plain[found.end() :]) if found.start() else plain
+    index = INDEX.search(plain)
+    stem = plain[: index.start()] if index else plain
+    words = [word[:1] + word[1:].removesuffix("s") for word in re.findall(r"(?<![\[(a-z])[a-z]+", stem)]
+    alone = [word for word in words if word not in OTHER_WORDS]  # in "link length a" and "alpha [grados]"
+    known = [re.sub("[^a-z0]", "", plain), re.sub("[^a-z0]", "", stem), "".join(words), *alone[: len(alone) == 1]]
+    column = next((COLUMN_NAMES[text] for text in known if text in COLUMN_NAMES), "")
+    convention = "" if not index else "modified" if index[1] else "standard" * bool(re.search("[ijkn]", index[0]))
+    return Heading("offset" if column == "theta" and "offset" in words else column, unit, convention)
+
+
+class Assumption(NamedTuple):
+    """What was assumed: a sentence; and if the numbers alone suggest it, the argument that says otherwise, and its values."""
+
+    text: str
+    argument: str = ""
+    options: Sequence[str] = ()
+
+
+@dataclass
+class Grid:
+    """Rows of cells by column, or by their places, from "0" on, if the text has no heading, and where the rows are in the text.
+
+    names, units  the values that names have, and the units of the columns
+    convention    whose index a and alpha have, or ""
+    problem       the place of a line that should be a row, but cannot be read
+    """
+
+    names: Mapping[str, Entry]
+    rows: list[dict[str, str]] = field(default_factory=list)
+    places: list[str] = field(default_factory=list)
+    units: dict[str, str] = field(default_factory=dict)
+    assumed: list[Assumption] = field(default_factory=list)
+    convention: str = ""
+    problem: str = ""
+
+    def assume(self, text: str, argument: str = "", options: Sequence[str] = ()) -> None:
+        """Note what was assumed."""
+        self.assumed.append(Assumption(text, argument, options))
+
+    def is_entry(self, cell: str) -> bool:
+        """Whether a cell can be an entry, with whatever values its names have."""
+        unknown = {name: Entry(1 + 0j) for name in re.findall(r"\b[a-pr-su-zA-Z]\d+", cell)}
+        try:
+            return bool(read_entry(cell, "", {**unknown, **self.names})) and bool(cell.strip())
+        except ValueError:
+            return False

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from kinlib.arrays.validation import describe
-from kinlib.dh.reading.grid import Assumption
-from kinlib.dh.table import Convention, DHTable
+from kinlib.dh.parsing import Assumption
+from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.dh.table_text import read_rows
 
 
@@ -47,16 +47,9 @@ def read_table(
     """
     if not isinstance(text, str):
         raise ValueError(f"text must be the text of a table; got {describe(text)}. Pass rows of numbers to DHTable.")
-    units = {"length_unit": length_unit, "angle_unit": angle_unit}
-    read = read_rows(text, strict=False, lengths={}, joints=joints, order=order, **units)
-    assumed = [*read.assumed]
-    if convention is None:
-        words = f"The convention is {read.convention}, as the {'index i of a and alpha suggests' if read.suggests else 'text says'}."
-        if read.convention is None:
-            words = "The text does not say which convention: standard was taken."
-        is_sure = read.convention and not read.suggests
-        assumed.append(Assumption(words) if is_sure else Assumption(words, "convention", ("standard", "modified")))
+    said = {"order": order, "length_unit": length_unit, "angle_unit": angle_unit, "convention": convention}
+    read = read_rows(text, strict=False, lengths={}, joints=joints, **said)
     if not read.numbers[:, :3].any():
         raise ValueError("No row has a length or a twist: every a, alpha and d is 0. Name the columns in a heading.")
-    used = convention or read.convention or "standard"
-    return Reading(DHTable(read.numbers, used, joints=read.joints, signs=read.signs, **read.ends), assumed)
+    used = validate_convention(convention or read.convention or "standard")
+    return Reading(DHTable(read.numbers, used, joints=read.joints, signs=read.signs, **read.ends), read.assumed)

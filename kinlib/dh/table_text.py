@@ -6,21 +6,18 @@ units, the joints and the convention are found. A strict reader, as that of `DHT
 
 import re
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from kinlib.arrays.validation import Array
-from kinlib.dh.parsing import ANGLE_UNITS, COLUMNS, LENGTH_UNITS, MIN_LENGTH_MM, NUMBER, Entry, read_entry
-from kinlib.dh.reading.grid import ALL_COLUMNS, Assumption, Grid, parse_heading
+from kinlib.dh.parsing import ALL_COLUMNS, COLUMNS, NUMBER, UNITS, Assumption, Entry, Grid, parse_heading, read_entry
 from kinlib.dh.reading.lines import read_lines
-from kinlib.dh.reading.named import definitions, read_columns, read_records
+from kinlib.dh.reading.named import definitions, read_lists, read_numbered, read_records
 from kinlib.dh.reading.spelling import plain_text
 
-Convention = Literal["standard", "modified"]
-
-MAX_TEXT_LENGTH, MAX_ROWS = 100_000, 60
-"""The maximum number of characters of a text, and of rows of a table."""
+MAX_TEXT_LENGTH, MAX_ROWS, MIN_LENGTH_MM = 40_000, 60, 5.0
+"""The maximum number of characters of a text, and of rows of a table; and the smallest length that is taken as one in millimetres."""
 
 ORDERS = ("theta d a alpha", "a alpha d theta", "alpha a theta d", "alpha a d theta", "d a alpha theta", "a d alpha theta",
           "d theta a alpha", "theta a d alpha", "theta alpha a d", "a alpha theta d")  # fmt: skip
@@ -47,7 +44,7 @@ FIXED = re.compile(r"(?i)\b(flange|tool|hand|tcp|end.?effector|ee|fixed|gripper|
 TYPES = {"r": "R", "0": "R", "p": "P", "1": "P", "f": "F"}
 """The labels of rows without a joint, and how the types of joints begin."""
 
-CONVENTIONS: Mapping[Convention, str] = {
+CONVENTIONS = {
     "modified": r"(?i)\b(?:modified|craig|mdh|proximal)\b|mdh\(|craig\w*\(",
     "standard": r"\b(?i:standard|classic|distal)\b|[a-z:]DH\(",
 }
@@ -60,16 +57,13 @@ class Rows(NamedTuple):
     numbers: Array
     joints: str
     signs: Sequence[float]
-    convention: Convention | None
+    convention: str | None
     ends: Mapping[str, Any]
     assumed: Sequence[Assumption]
-    suggests: bool = False
 
 
-def read_rows(
-    text: str, *, strict: bool, lengths: Mapping[str, float], joints: str = "", order: str = "", **units: str
-) -> Rows:
-    """Read rows from text; the arguments are those of `read_table`.
+def read_rows(text: str, *, strict: bool, lengths: Mapping[str, float], joints: str = "", **said: str | None) -> Rows:
+    """Read rows from text; joints and what else is said are the arguments of `read_table`.
 
     strict  whether what the text only suggests is refused; numbers without a unit are metres and radians then
 
@@ -79,43 +73,45 @@ def read_rows(
         raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
     if re.search(r"[\w.]{500}", text):  # which would take long
         raise ValueError("No table was found: the text has a word of 500 characters or more.")
-    said_joints, said_signs = JOINTS.search(text), SIGNS.search(text)
+    own_joints, own_signs = JOINTS.search(text), SIGNS.search(text)
     plain = plain_text(END.sub("", SIGNS.sub("", JOINTS.sub("", text))))
     if unit := FOREIGN.search(plain):
         raise ValueError(f"Lengths must be in m, cm or mm; the text has {unit[0]!r}. One inch is 25.4 mm.")
     names = definitions(plain) | {plain_text(name): Entry(complex(value)) for name, value in lengths.items()}
     grid = _grid(plain, names)
     if "0" in grid.rows[0]:
-        _name_columns(grid, order or "a alpha d theta" * ("DHTable(" in plain))
+        _name_columns(grid, said.get("order") or "a alpha d theta" * ("DHTable(" in plain))
     _complete(grid)
     entries = _evaluate(grid)
-    letters = joints or (said_joints[1] if said_joints else _joints(grid, entries))
+    letters = joints or (own_joints[1] if own_joints else _joints(grid, entries))
     signs = [entry["theta"].value.imag + entry["d"].value.imag for entry in entries]
-    signs = [float(sign) for sign in said_signs[1].split(",")] if said_signs else signs
+    signs = [float(sign) for sign in own_signs[1].split(",")] if own_signs else signs
     numbers = np.array([[row[column].value.real for column in COLUMNS] for row in entries])
-    for argument, default in (("length_unit", "m"), ("angle_unit", "rad")):
-        given, sentence = units.get(argument, ""), _said_unit(plain, argument)
-        numbers *= _units(grid, entries, argument, given, sentence, default * strict)
+    for argument in UNITS:
+        for i, column, factor in _units(grid, entries, plain, argument, said.get(argument) or "", strict=strict):
+            numbers[i, COLUMNS.index(column)] *= factor
     if strict and grid.assumed:
         raise ValueError(f"A DHTable takes only what its rows say; kl.read_table assumes: {grid.assumed[0].text}")
     if fixed := [str(k) for k, letter in enumerate(letters, start=1) if letter == "?"]:
-        words = "Row {} has no variable: it was" if len(fixed) == 1 else "Rows {} have no variable: they were"
-        grid.assume(f"{words.format(', '.join(fixed))} read as fixed, without a joint.")
-    said: set[Convention] = {name for name, pattern in CONVENTIONS.items() if re.search(pattern, plain)}
-    suggests = grid.subscript == "i" and "standard" not in said
-    by_index: Mapping[str, Convention] = {"i": "standard", "i-1": "modified"}
-    convention = by_index.get(grid.subscript) or (said.pop() if len(said) == 1 else None)
+        grid.assume(f"Rows without a variable were read as fixed, without a joint: {', '.join(fixed)}.")
+    named = [name for name, pattern in CONVENTIONS.items() if re.search(pattern, plain)]
+    found = grid.convention or (named[0] if len(named) == 1 else None)
+    if not strict and not said.get("convention"):
+        suggests = grid.convention == "standard" and "standard" not in named
+        words = f"The convention is {found}, as the {'index i of a and alpha suggests' if suggests else 'text says'}."
+        words = words if found else "The text does not say which convention: standard was taken."
+        grid.assume(words, *(("convention", ("standard", "modified")) if suggests or not found else ()))
     signs = [sign or 1.0 for sign in signs] if any(signs) else []
-    ends = {end: np.array(re.findall(rf"-?{NUMBER}", matrix), float) for end, matrix in END.findall(text)}
-    ends = {
-        end: T.reshape((4, 4) if T.size == 16 else -1) for end, T in ends.items()
-    }  # the table refuses what is no pose
-    return Rows(numbers, letters.replace("?", "F"), signs, convention, ends, grid.assumed, suggests)
+    ends = {}
+    for end, matrix in END.findall(text):
+        entry = np.array(re.findall(rf"-?{NUMBER}", matrix), float)
+        ends[end] = entry.reshape((4, 4) if entry.size == 16 else -1)  # the table refuses what is no pose
+    return Rows(numbers, letters.replace("?", "F"), signs, found, ends, grid.assumed)
 
 
 def _grid(plain: str, names: Mapping[str, Entry]) -> Grid:
     """Return the rows of cells as the first reader finds them, and tell what it does not read of the text."""
-    readers = (read_records, read_columns, read_lines)
+    readers = (read_records, read_numbered, read_lists, read_lines)
     grid = next((found for reader in readers if (found := reader(plain, names)).rows or found.problem), Grid(names))
     if grid.problem:
         raise ValueError(
@@ -166,9 +162,11 @@ def _complete(grid: Grid) -> None:
     columns = {name for row in grid.rows for name in row} & ALL_COLUMNS
     for name in sorted({*COLUMNS} - columns - ({"theta"} if "offset" in columns else set())):
         grid.assume(f"There is no column {name}: it was read as {'the joint variable' if name == 'theta' else 0}.")
-    grid.rows = [{name: "" if name in columns else "0" for name in (*COLUMNS, *columns)} | row for row in grid.rows]
-    if empty := sum(not row[name].strip() for row in grid.rows for name in columns):
-        grid.assume(f"{empty} empty cells were read as 0." if empty > 1 else "An empty cell was read as 0.")
+    empty = {name: "" if name in columns else "0" for name in (*COLUMNS, *columns)}
+    types = [TYPES.get(row.get("type", "")[:1].lower(), "?") for row in grid.rows]
+    grid.rows = [empty | row | {"type": letter} for row, letter in zip(grid.rows, types, strict=True)]
+    if count := sum(not row[name].strip() for row in grid.rows for name in columns):
+        grid.assume(f"{count} empty cells were read as 0." if count > 1 else "An empty cell was read as 0.")
     labels = [row.get("label", "").rstrip(".") for row in grid.rows]
     if all(label.isdigit() for label in labels) and not _is_counted(labels):
         grid.assume(f"The rows have the numbers {', '.join(labels)}: they were read as they stand.")
@@ -177,9 +175,11 @@ def _complete(grid: Grid) -> None:
 def _evaluate(grid: Grid) -> list[dict[str, Entry]]:
     """Evaluate all cells, and add the offset of a joint to its variable; ValueError with the place of what has no sense."""
     entries = []
-    for row, place in zip(grid.rows, grid.places, strict=True):
+    for row, place in zip(
+        grid.rows, grid.places or [f"Row {k}" for k, _ in enumerate(grid.rows, start=1)], strict=True
+    ):
         read = dict[str, Entry]()
-        moving = "d" if TYPES.get(row.get("type", "")[:1].lower()) == "P" else "theta"
+        moving = "d" if row["type"] == "P" else "theta"
         for column in (*COLUMNS, *(["offset"] if "offset" in row else [])):
             moving = "d" if column == "offset" and read["d"].variables else moving
             try:
@@ -189,12 +189,12 @@ def _evaluate(grid: Grid) -> list[dict[str, Entry]]:
         one, other = read[moving], read.pop("offset", Entry(0j))
         read[moving] = Entry(one.value + other.value, [*one.variables, *other.variables], one.unit or other.unit)
         names = [name for each in read.values() for name in each.variables]
-        places = [column for column, entry in read.items() if entry.variables]
-        factors = [read[column].value.imag for column in places]
-        if len(names) > 1 or not {*places} <= {"d", "theta"} or not {*factors} <= {1, -1}:
+        factors = {column: entry.value.imag for column, entry in read.items() if entry.variables}
+        if len(names) > 1 or not {*factors} <= {"d", "theta"} or not {*factors.values()} <= {1, -1}:
+            factor = f", with the factor {next(iter(factors.values())):g}" * (len(names) == 1)
             raise ValueError(
                 f"{place}: a row must have one joint variable, q or -q without a factor, in theta or in d; got {' and '.join(names)} in "
-                f"{' and '.join(places)}{f', with the factor {factors[0]:g}' * (len(names) == 1)}. Are two columns swapped?"
+                f"{' and '.join(factors)}{factor}. Are two columns swapped?"
             )
         entries.append(read)
     return entries
@@ -202,11 +202,9 @@ def _evaluate(grid: Grid) -> list[dict[str, Entry]]:
 
 def _joints(grid: Grid, entries: list[dict[str, Entry]]) -> str:
     """Find the letter of the joint of each row: from its variable, a column of types, or because all rows have one; "?" if none says it."""
-    letters = []
-    for row, entry in zip(grid.rows, entries, strict=True):
-        said = TYPES.get(row.get("type", "")[:1].lower(), "?")
-        letters.append("R" if entry["theta"].variables else "P" if entry["d"].variables else said)
-    variables = [name for entry in entries for column in ("theta", "d") for name in entry[column].variables]
+    columns = [next((name for name in ("theta", "d") if entry[name].variables), "") for entry in entries]
+    letters = [{"theta": "R", "d": "P"}.get(name, row["type"]) for name, row in zip(columns, grid.rows, strict=True)]
+    variables = [entry[column].variables[0] for entry, column in zip(entries, columns, strict=True) if column]
     numbers = [int(number) for name in variables if (number := re.sub(r"\D", "", name))]
     if numbers and numbers != [*range(1, len(variables) + 1)]:
         grid.assume(f"The variables are {', '.join(variables)}, not 1, 2, ...: each is the joint of its row.")
@@ -220,29 +218,24 @@ def _joints(grid: Grid, entries: list[dict[str, Entry]]) -> str:
     return "".join(letters)
 
 
-def _said_unit(text: str, argument: str) -> str:
-    """Return the unit that sentences say for an argument of `read_table`; "" if they contradict each other."""
-    units = {parse_heading(f"a [{unit}]").unit for unit in SAID_UNITS.findall(text)}
-    units &= {*(LENGTH_UNITS if argument == "length_unit" else ANGLE_UNITS)}
-    return units.pop() if len(units) == 1 else ""
+def _units(
+    grid: Grid, entries: list[dict[str, Entry]], plain: str, argument: str, given: str, *, strict: bool
+) -> list[tuple[int, str, float]]:
+    """Return row, column and factor of the numbers that have no unit, to convert them to metres or radians.
 
-
-def _units(  # noqa: PLR0917
-    grid: Grid, entries: list[dict[str, Entry]], argument: str, given: str, said: str, default: str
-) -> Array:
-    """Return the factors (m, 4) that convert the numbers to metres or radians.
-
-    Each number has its own unit, or that of the argument, of its heading, of a sentence, of the only heading that has one, or as the
-    sizes suggest.
+    Their unit is that of the argument, of their heading, of a sentence, of the only heading that has one, or what the sizes suggest.
     """
-    is_length = argument == "length_unit"
-    units, columns = (LENGTH_UNITS, ("a", "d")) if is_length else (ANGLE_UNITS, ("alpha", "theta"))
+    units, is_length = UNITS[argument], argument == "length_unit"
     if given and given not in units:
         raise ValueError(f"{argument} must be one of {', '.join(units)}; got {given!r:.60}.")
+    columns = ("a", "d") if is_length else ("alpha", "theta")
     heads = {column: unit for column, unit in grid.units.items() if column in columns and unit in units}
-    said = said or default or (next(iter(heads.values())) if len({*heads.values()}) == 1 else "")
-    plain = [(i, k) for i, row in enumerate(entries) for k in columns if not row[k].unit and row[k].value.real]
-    sizes = [abs(entries[i][k].value.real) for i, k in plain if k not in heads]
+    by_sentence = {parse_heading(f"a [{unit}]").unit for unit in SAID_UNITS.findall(plain)} & {*units}
+    default = ("m" if is_length else "rad") * strict
+    said = by_sentence.pop() if len(by_sentence) == 1 else default
+    said = said or (next(iter(heads.values())) if len({*heads.values()}) == 1 else "")
+    places = [(i, k) for i, row in enumerate(entries) for k in columns if not row[k].unit and row[k].value.real]
+    sizes = [abs(entries[i][k].value.real) for i, k in places if k not in heads]
     if sizes and not given and not (default and said == default):
         is_large = max(sizes) > (MIN_LENGTH_MM if is_length else 2 * np.pi + 0.01)
         has_right_angle = not is_length and np.isclose(sizes, np.pi / 2, atol=1e-2).any()
@@ -255,7 +248,4 @@ def _units(  # noqa: PLR0917
             words = f"The text says that its {kind} are in {said}, and this was taken, although the largest is {max(sizes):.6g}."
             grid.assume(words, argument, options)
         said = unit
-    factors = np.ones((len(entries), 4))
-    for i, k in plain:
-        factors[i, COLUMNS.index(k)] = units[given or heads.get(k, said)]
-    return factors
+    return [(i, k, units[given or heads.get(k, said)]) for i, k in places]

@@ -4,11 +4,10 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from itertools import pairwise
 
-from kinlib.dh.parsing import COLUMNS, NUMBER, Entry
-from kinlib.dh.reading.grid import ALL_COLUMNS, COLUMN_NAMES, NEEDED, Grid, Heading, parse_heading
+from kinlib.dh.parsing import ALL_COLUMNS, COLUMN_NAMES, COLUMNS, NEEDED, NUMBER, Entry, Grid, Heading, parse_heading
 
-MAX_LINES, MAX_CELLS = 2000, 40
-"""The maximum number of lines of a text and of cells in a line that are read."""
+MAX_CELLS = 40
+"""The maximum number of cells of a line that are read."""
 
 SEPARATORS = ("|", "\t", ";", ",", "  ", " ")
 """What may separate the cells of all rows, the surest first."""
@@ -35,14 +34,10 @@ def read_lines(text: str, names: Mapping[str, Entry]) -> Grid:
     """Read lines of cells: of the separators, that which gives the most rows is taken."""
     lines = [line.strip(" \r").rstrip(",") for line in _side_by_side(_lines_of(text))]
     lines = [line[:-1] if line.find(";") == len(line) - 1 else line for line in lines]
-    if len(lines) > MAX_LINES:
-        raise ValueError(f"A table must have at most {MAX_LINES} lines; the text has {len(lines)}.")
-    ways = {
-        k: found for k, line in enumerate(lines) if re.search("(?i)al|twist|psi", line) and (found := _headings(line))
-    }
-    grids = [
-        _read(lines, ways, separator, Grid(names)) for separator in SEPARATORS if separator in text or separator == "\t"
-    ]
+    headings = {k: _headings(line) for k, line in enumerate(lines) if re.search("(?i)al|twist|psi", line)}
+    ways = {k: found for k, found in headings.items() if found}
+    separators = [sign for sign in SEPARATORS if sign in text or sign == "\t"]
+    grids = [_read(lines, ways, separator, Grid(names)) for separator in separators]
     return max(grids, key=lambda grid: (len(grid.rows), bool(grid.problem)))
 
 
@@ -90,7 +85,7 @@ def _read(lines: Sequence[str], ways: Mapping[int, list[list[Heading]]], separat
     rows = {k: row for k, each in cells.items() if (row := _row(each, layout, grid))}
     grid.rows, grid.places = [*rows.values()], [f"Line {k + 1}, {lines[k].strip()!r:.80}" for k in rows]
     grid.units = {head.column: head.unit for head in layout if head.unit}
-    grid.subscript = max((head.subscript for head in layout if head.column in COLUMNS[:2]), default="")
+    grid.convention = min({head.convention for head in layout if head.column in COLUMNS[:2]} - {""}, default="")
     if "" in lines[min(rows) : max(rows)]:
         grid.assume("The rows below an empty line were read, too.")
     columns = [head.column for head in layout]
@@ -140,12 +135,8 @@ def _headings(line: str) -> list[list[Heading]]:
 
 def _layout(lines: Collection[list[str]], ways: Sequence[list[Heading]], grid: Grid) -> list[Heading]:
     """Return the headings of the first line that is a row; one for its label is added if it has none. [] if no line is a row."""
-    for cells in lines:
-        for heads in ways:
-            for layout in [heads, [Heading("label"), *heads]][: 1 + (heads[0].column != "label")]:
-                if _row(cells, layout, grid):
-                    return layout
-    return []
+    labelled = [each for way in ways for each in (way, [Heading("label"), *way]) if each[1].column != "label"]
+    return next((heads for cells in lines for heads in labelled if _row(cells, heads, grid)), [])
 
 
 def _row(cells: list[str], layout: Sequence[Heading], grid: Grid) -> dict[str, str]:

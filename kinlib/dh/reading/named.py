@@ -4,8 +4,7 @@ import re
 from collections.abc import Mapping
 from contextlib import suppress
 
-from kinlib.dh.parsing import COLUMNS, Entry, read_entry
-from kinlib.dh.reading.grid import ALL_COLUMNS, COLUMN_NAMES, NEEDED, Grid, parse_heading
+from kinlib.dh.parsing import ALL_COLUMNS, COLUMN_NAMES, COLUMNS, NEEDED, Entry, Grid, parse_heading, read_entry
 
 DEFINITION = re.compile(
     r"(?m)\b([a-zA-Z]\w*)[ \t]*[=:][ \t]*([^=:,;&|\n#%]{1,60}?)[ \t]*(?=[,;&|\n#%)}]|//|\band\b|\.?$)"
@@ -47,8 +46,9 @@ def read_records(text: str, names: Mapping[str, Entry]) -> Grid:
     calls = [group for group in groups if LINK.fullmatch(group[1])]
     if len(calls) < sum(bool(LINK.fullmatch(name)) for name in re.findall(r"([\w.:]+)[ \t]*\(", text)):
         raise ValueError("A call such as RevoluteDH(a=0.4) must have numbers, and no other calls, in its parentheses.")
-    records = calls or [group for group in groups if _is_row(group[2])]
-    records = records or [(line, "", line) for line in text.splitlines() if _is_row(line)]
+    lines = [(line, "", line) for line in text.splitlines()]
+    named = ([each for each in some if {name for name, _ in _pairs(each[2])} >= NEEDED] for some in (groups, lines))
+    records = calls or next(filter(None, named), [])
     if len(records) < 2:
         return grid
     for source, kind, inside in records:
@@ -80,10 +80,6 @@ def _pairs(inside: str) -> list[tuple[str, str]]:
     return pairs
 
 
-def _is_row(inside: str) -> bool:
-    return {column for column, _ in _pairs(inside)} >= NEEDED
-
-
 def _link(kind: str, inside: str, row: dict[str, str], grid: Grid, place: str) -> dict[str, str]:
     """Return the cells of a call of a toolbox, in which what is not given is 0, with the type of its joint."""
     cells, order = re.sub(r"'[^']*'|[\[\]{},]", " ", inside).split(), ("theta", "d", "a", "alpha", "type", "offset")
@@ -102,42 +98,39 @@ def _link(kind: str, inside: str, row: dict[str, str], grid: Grid, place: str) -
     return dict.fromkeys((*COLUMNS, "offset"), "0") | row
 
 
-def read_columns(text: str, names: Mapping[str, Entry]) -> Grid:
-    """Read lists by column, a = [0, -0.425], or entries with the numbers of their rows, d1 = 0.3."""
-    grid = Grid(names)
-    columns = _by_number(text, grid)
-    for name, inside in LIST.findall(text) if not columns else ():
+def read_numbered(text: str, names: Mapping[str, Entry]) -> Grid:
+    """Read entries with the numbers of their rows, d1 = 0.3 or L(1).d = 0.3."""
+    grid, found = Grid(names), dict[str, dict[int, str]]()
+    for name, number, value in INDEXED.findall(re.sub(r"\b\w+\((\d+)\)\.(\w+)", r"\2\1", text)):
+        if (column := parse_heading(name).column) in ALL_COLUMNS:
+            found.setdefault(column, {})[int(number)] = value.strip()
+    if not {*found} >= NEEDED:
+        return grid
+    if min(*found["a"], *found["alpha"]) < min(found["d"]) == 1:  # a_0 and alpha_0, but d_1
+        grid.convention = "modified"
+        found |= {name: {k + 1: value for k, value in found[name].items()} for name in ("a", "alpha")}
+    indices = sorted({k for cells in found.values() for k in cells})
+    if joints := [k for k in indices if k not in found.get("theta", indices)]:
+        grid.assume(f"There is no theta{joints[0]}: each theta without a value was read as the joint variable.")
+        found["theta"] |= {k: f"q{k}" for k in joints}
+    grid.rows = [{column: cells.get(k, "") for column, cells in found.items()} for k in indices]
+    return grid
+
+
+def read_lists(text: str, names: Mapping[str, Entry]) -> Grid:
+    """Read lists by column, a = [0, -0.425]."""
+    grid, columns = Grid(names), dict[str, list[str]]()
+    for name, inside in LIST.findall(text):
         heading, sign = parse_heading(name), "[,;]" if re.search("[,;]", inside) else r"\s+"
         cells = [cell.strip() for cell in re.split(sign, inside.strip().rstrip(",;"))]
         if heading.column in ALL_COLUMNS and all(map(grid.is_entry, cells)):
             columns[heading.column], grid.units[heading.column] = cells, heading.unit
         else:
             grid.assume(f"The list {name} was not read.")
-    counts = {name: len(cells) for name, cells in columns.items()}
     if len(NEEDED & {*columns}) < 2:
         return Grid(names)
-    if not {*columns} >= NEEDED or len({*counts.values()}) > 1:
-        found = ", ".join(f"{name} ({count})" for name, count in counts.items())
+    if not {*columns} >= NEEDED or len({len(cells) for cells in columns.values()}) > 1:
+        found = ", ".join(f"{name} ({len(cells)})" for name, cells in columns.items())
         raise ValueError(f"a, alpha and d must be lists of the same length; got {found}. Paste all of them.")
     grid.rows = [dict(zip(columns, cells, strict=True)) for cells in zip(*columns.values(), strict=True)]
-    grid.places = [f"Entry {k + 1} of the lists" for k in range(len(grid.rows))]
     return grid
-
-
-def _by_number(text: str, grid: Grid) -> dict[str, list[str]]:
-    """Return the columns of entries with numbers; {} if there are none."""
-    found = dict[str, dict[int, str]]()
-    for name, number, value in INDEXED.findall(re.sub(r"\b\w+\((\d+)\)\.(\w+)", r"\2\1", text)):  # L(1).a
-        if (column := parse_heading(name).column) in ALL_COLUMNS:
-            found.setdefault(column, {})[int(number)] = value.strip()
-    if not {*found} >= NEEDED:
-        return {}
-    if min(*found["a"], *found["alpha"]) < min(found["d"]) == 1:  # a_0 and alpha_0, but d_1
-        grid.subscript = "i-1"
-        for column in ("a", "alpha"):
-            found[column] = {k + 1: value for k, value in found[column].items()}
-    indices = sorted({k for cells in found.values() for k in cells})
-    if joints := [k for k in indices if k not in found.get("theta", indices)]:
-        grid.assume(f"There is no theta{joints[0]}: each theta without a value was read as the joint variable.")
-        found["theta"] |= {k: f"q{k}" for k in joints}
-    return {column: [cells.get(k, "") for k in indices] for column, cells in found.items()}
