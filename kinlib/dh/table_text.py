@@ -12,7 +12,7 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ALL_COLUMNS, COLUMNS, NUMBER, UNITS, Assumption, Entry, Grid, parse_heading, read_entry
-from kinlib.dh.reading.lines import read_lines
+from kinlib.dh.reading.lines import commented_rows, read_lines
 from kinlib.dh.reading.named import definitions, read_lists, read_numbered, read_records
 from kinlib.dh.reading.spelling import plain_text
 
@@ -92,6 +92,8 @@ def read_rows(text: str, *, strict: bool, lengths: Mapping[str, float], joints: 
             numbers[i, COLUMNS.index(column)] *= factor
     if strict and grid.assumed:
         raise ValueError(f"A DHTable takes only what its rows say; kl.read_table assumes: {grid.assumed[0].text}")
+    for line in commented_rows(plain)[:2]:
+        grid.assume(f"A comment was not read: {line!r:.80}.")
     if fixed := [str(k) for k, letter in enumerate(letters, start=1) if letter == "?"]:
         grid.assume(f"Rows without a variable were read as fixed, without a joint: {', '.join(fixed)}.")
     named = [name for name, pattern in CONVENTIONS.items() if re.search(pattern, plain)]

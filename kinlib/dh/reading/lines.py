@@ -17,6 +17,7 @@ UNNAMED = [Heading(str(place)) for place in range(len(COLUMNS))]
 
 ARRAY = re.compile(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]{,999};|\([^()]*\),\s*\(")
 COMMENT = re.compile(r"\s*(?:#+|%+|//+|/\*|\(\*|['\"]{3})\s*")
+SINGLE_NUMBER = re.compile(rf"(?<![\w.])(?<![\w\]]\[)-?{NUMBER}")
 
 WORDS = re.compile(r"(?:[\s,;|]|\band\b|\bthen\b)+|(?<=[a-zA-Z])[\[({](?=\w+\s*,)")
 """What is between the names of columns in a comment."""
@@ -39,6 +40,12 @@ def read_lines(text: str, names: Mapping[str, Entry]) -> Grid:
     separators = [sign for sign in SEPARATORS if sign in text or sign == "\t"]
     grids = [_read(lines, ways, separator, Grid(names)) for separator in separators]
     return max(grids, key=lambda grid: (len(grid.rows), bool(grid.problem)))
+
+
+def commented_rows(text: str) -> list[str]:
+    """Return the lines of a text that are comments and have as many numbers as a row."""
+    comments = [line.strip() for line in text.splitlines() if COMMENT.match(line)]
+    return [line for line in comments if len(SINGLE_NUMBER.findall(line)) >= len(NEEDED)]
 
 
 def _lines_of(text: str) -> list[str]:
@@ -100,12 +107,13 @@ def _tell_others(lines: Sequence[str], rows: Collection[int], start: int, grid: 
     """Note the lines with numbers that were not read; between the rows from `start` on, and just below them, they are a problem."""
     last, gap = max(rows), min([k for k in range(max(rows), len(lines)) if not lines[k].strip()], default=len(lines))
     for k in sorted({*range(len(lines))} - {*rows}):
-        place, is_comment = f"Line {k + 1}, {lines[k].strip()!r:.80}", bool(COMMENT.match(lines[k]))
-        count = len(re.findall(rf"(?<![\w.])(?<![\w\]]\[)-?{NUMBER}", lines[k]))
+        if COMMENT.match(lines[k]):
+            continue
+        place, count = f"Line {k + 1}, {lines[k].strip()!r:.80}", len(SINGLE_NUMBER.findall(lines[k]))
         is_row = count >= len(NEEDED) and "=" not in lines[k]
-        if count and not is_comment and (start < k < last or (last < k < gap and is_row)):
+        if count and (start < k < last or (last < k < gap and is_row)):
             grid.problem = grid.problem or place
-        elif is_row or (count and k > last and not is_comment):
+        elif is_row or (count and k > last):
             grid.assume(f"{'No rows were read from here on' if k > last else 'A line was not read'}: {place}.")
             if k > last:
                 break

@@ -251,7 +251,12 @@ def test_a_list_that_no_column_has_is_told():
     [
         ("L(1)=Link([0 0.3 0 pi/2]);\nL(2)=Link([0 0 0.4 0]);\nL(2).offset=pi/2;", "'L(2).offset=pi/2;' was not read."),
         ("a alpha d theta\n0 90° 0.3 q1\n0.4 0 0 q2\ntool = 0 0 0.1", "The tool was not read: 'tool = 0 0 0.1'."),
-        ("a alpha d theta\n0 90° 0.3 q1\n# 0.4 0 0 q2\n0.2 0 0 q3", "A line was not read: Line 3, '# 0.4 0 0 q2'."),
+        ("a alpha d theta\n0 90° 0.3 q1\n# 0.4 0 0 q2\n0.2 0 0 q3", "A comment was not read: '# 0.4 0 0 q2'."),
+        (
+            "dh = [[0.4, 0, 0, 0],\n# [0.2, pi/2, 0.3, 0],\n[0, 0, 0.1, 0]]",
+            "A comment was not read: '# [0.2, pi/2, 0.3, 0],'.",
+        ),
+        ("L(1)=Link([0 0.3 0 pi/2]);\n% L(2)=Link([0 0 1 0]);", "A comment was not read: '% L(2)=Link([0 0 1 0]);'."),
         ("a alpha d theta\n0 90° 0.3 0\n\n0.4 0 0 0", "The rows below an empty line were read, too."),
         ("j α d θ r\n1 0 0 0 0.1\n2 90° 0.2 0 0", "The column r was read as a; some papers call d so."),
         ("a [mm] | alpha | d [mm] | theta\n1,250 | 90° | 0 | q1", "The comma of 1,250 was read as a decimal sign."),
