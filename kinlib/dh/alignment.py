@@ -5,13 +5,15 @@ parallel, their distance; and an axis with a common normal on either side has th
 changes its sign, its axis has the opposite direction: the cosine and the moment change their signs with that of either axis, the
 distance along an axis with that of the axis.
 
-The offsets are found from the base on: c_k rotates about axis k until the next axis has the direction that it has in the other chain.
+The offsets follow from the directions. Between each axis and the next there is a direction x as in a DH table: the cross product of the
+axes, which changes its sign with that of either, or the way from an axis to a parallel one. With the angle theta_k about axis k from
+the x before it to the x after it, theta_k(b) + q = s (theta_k(a) + s q + c), plus half a turn if one of the two x changes its sign.
 What remains, base, tool and the zeros of prismatic joints, is linear, so a least-squares step on the poses finds it.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from itertools import combinations
+from itertools import combinations, pairwise
 from typing import Self
 
 import numpy as np
@@ -20,6 +22,7 @@ from numpy.typing import NDArray
 from kinlib.arrays.tolerances import PARALLEL_TOL_RAD, SAME_DISTANCE_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
+from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import adjoint, cross, exp, homogeneous, inverse, perpendicular, vee
 
 Booleans = NDArray[np.bool_]
@@ -125,89 +128,77 @@ class Map:
 
 
 def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> list[Map]:
-    """Find maps from one chain to another with the same joint types whose axes agree to within `loose`, in metres and radians."""
-    found, target = list[Map](), other.fk(random_configurations(one.n, COMPARED_CONFIGURATIONS))
-    for signs, offsets, R in _starts(one, other, fixed, loose):
-        X = homogeneous(R, np.zeros(3))
-        Y = np.eye(4) if "tool" in fixed else inverse(X @ one.fk(offsets)) @ other.home
-        found.append(_improved(Map(signs, offsets, X, Y).measured(one, target), one, target, fixed))
+    """Find maps from one chain to another with the same joint types whose axes agree to within `loose`, in metres and radians.
+
+    The search begins with at most four choices of the signs, those with which the axes agree best and the fewest choices change.
+    """
+    invariants, target = (
+        AxisInvariants(other, 100 * loose),
+        other.fk(random_configurations(one.n, COMPARED_CONFIGURATIONS)),
+    )
+    s, off = invariants.sign_patterns(invariants.of(one.lines.axis, one.joint_points))
+    offsets, R = _rotated(one, other, s, fixed, loose / 2)
+    is_constant = np.array([letter == "P" or "zeros" in fixed for letter in one.joint_types])
+    admitted = (np.abs(offsets[:, is_constant]) < 0.1).all(axis=1) & ((s > 0).all(axis=1) | ("signs" not in fixed))
+    for end, joint, A, B in (("base", 0, np.eye(3), np.eye(3)), ("tool", -1, one.home[:3, :3], other.home[:3, :3])):
+        if end in fixed:
+            off_axis = s[:, [joint]] * (one.lines.axis[joint] @ A) - other.lines.axis[joint] @ B
+            admitted &= np.linalg.norm(off_axis, axis=1) <= 100 * loose
+    offsets[:, is_constant] = 0.0
+    zeros = (np.abs(offsets) > max(loose, SAME_DISTANCE_RAD)).sum(axis=1)
+    found = list[Map]()
+    for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros, off > 0.01)) if admitted[k]][:4]:
+        X = homogeneous(R[k], np.zeros(3))
+        Y = np.eye(4) if "tool" in fixed else inverse(X @ one.fk(offsets[k])) @ other.home
+        found.append(_improved(Map(s[k], offsets[k], X, Y).measured(one, target), one, target, fixed))
     return found
 
 
-def _starts(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> Iterator[tuple[Array, Array, Array]]:
-    """Yield signs (n,), offsets (n,) and the rotation of the base, first those with which the axes agree best, then the fewest changes."""
-    invariants = AxisInvariants(other, 100 * loose)
-    u, v = one.lines.axis, other.lines.axis
-    s, off = invariants.sign_patterns(invariants.of(u, one.joint_points))
-    admitted = (s > 0).all(axis=1) | ("signs" not in fixed)
-    for end, joint, R, Q in (("base", 0, np.eye(3), np.eye(3)), ("tool", -1, one.home[:3, :3], other.home[:3, :3])):
-        if end in fixed:
-            admitted &= np.linalg.norm(s[:, [joint]] * (u[joint] @ R) - v[joint] @ Q, axis=1) <= 100 * loose
-    s, off = s[admitted], off[admitted]
-    offsets, R, possible = _rotated(one, other, s, fixed, loose / 2)
-    zeros = (np.abs(offsets) > max(loose, SAME_DISTANCE_RAD)).sum(axis=1)
-    for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros, off > 0.01)) if possible[k]][:4]:
-        yield s[k], offsets[k], R[k]
-
-
-def _rotated(one: Chain, other: Chain, s: Array, fixed: frozenset[str], near: float) -> tuple[Array, Array, Booleans]:
-    """Rotate about one axis after the other until what it moves has the direction that it has in the other chain.
-
-    signs s (P, n) -> offsets (P, n), the rotation of the base (P, 3, 3), and whether what is fixed admits these signs (P,).
-    """
-    u, v = one.lines.axis, other.lines.axis
-    offsets, possible = np.zeros(s.shape), np.ones(len(s), dtype=bool)
-    base = R = np.tile(np.eye(3), (len(s), 1, 1))
-
-    def missing(k: int) -> Array:
-        """The angles (P,) by which a rotation about axis k is missing; 0 where it moves nothing."""
-        x, y, j = _moved_by(one, other, k, fixed, near)
-        x = (R @ x) * (1.0 if j is None else s[:, [j]])
-        return np.asarray(np.arctan2(cross(x, y) @ v[k], x @ y - (x @ v[k]) * (y @ v[k])))
-
-    if "base" not in fixed:
-        R = _frame(v[0]) @ np.swapaxes(_frame(s[:, :1] * u[0]), -1, -2)
-        base = R = exp(missing(0)[:, None] * v[0]) @ R
+def _rotated(one: Chain, other: Chain, s: Array, fixed: frozenset[str], near: float) -> tuple[Array, Array]:
+    """Compute the offsets (P, n) and the rotation of the base (P, 3, 3) with which all directions agree, for signs s (P, n)."""
+    z, points = np.array([one.lines.axis, other.lines.axis]), np.array([one.joint_points, other.joint_points])
+    joints, plus = list[int](), np.ones(len(s))
     for k, letter in enumerate(one.joint_types):
-        angles = missing(k)
-        if letter == "P" or "zeros" in fixed:
-            possible &= np.abs(angles) < 0.1  # before the search
-        else:
-            offsets[:, k] = s[:, k] * angles
-            R = exp(angles[:, None] * v[k]) @ R
-    return offsets, base, possible
+        is_parallel = bool(joints) and not _are_skew(z[:, joints[-1:]], z[:, [k]])
+        if is_parallel and one.joint_types[joints[-1]] == "P":  # it does not rotate, so the other one says as much
+            joints[-1] = k
+        elif not (is_parallel and letter == "P"):
+            joints.append(k)
+    # The directions x, (2, 3) each, and their signs (P,): before the first axis, between each axis and the next, after the last.
+    in_tool = perpendicular(z[1, joints[-1]] @ other.home[:3, :3])
+    of_tool = np.array([arm.home[:3, :3] @ in_tool for arm in (one, other)])
+    of_base = np.tile(perpendicular(z[1, joints[0]]), (2, 1))
+    xs = [(of_base, plus) if "base" in fixed else None]
+    for i, j in pairwise(joints):
+        u, v, way = z[:, i], z[:, j], points[:, j] - points[:, i]
+        across = cross(cross(u, way), u)
+        is_apart = bool((np.linalg.norm(across, axis=1) > near).all())
+        xs.append((cross(u, v), s[:, i] * s[:, j]) if _are_skew(u, v) else (across, plus) if is_apart else None)
+    xs.append((of_tool, plus) if "tool" in fixed else None)
+    # Where there is none, the joints after it do not rotate, and at the end those before it.
+    known = [each for each in xs if each] or [(of_base, plus)]
+    filled = [next((each for each in xs[k:] if each), known[-1]) for k in range(len(xs))]
+    x, e = np.stack([each[0] for each in filled], axis=1), np.stack([each[1] for each in filled], axis=1)
+    u, sign = z[:, joints], s[:, joints]
+    before, after = x[:, :-1], x[:, 1:]
+    cosine = _dot(before, after) - _dot(before, u) * _dot(after, u)
+    theta = np.arctan2(_dot(cross(before, after), u), cosine)
+    offsets = np.zeros(s.shape)
+    offsets[:, joints] = wrap_angle(sign * theta[1] - theta[0] + np.pi * (e[:, :-1] != e[:, 1:]))
+    R = _frames(u[1, 0], x[1, 0]) @ np.swapaxes(_frames(sign[:, :1] * u[0, 0], e[:, :1] * x[0, 0]), -1, -2)
+    return offsets, np.tile(np.eye(3), (len(s), 1, 1)) if "base" in fixed else R
 
 
-def _moved_by(one: Chain, other: Chain, k: int, fixed: frozenset[str], near: float) -> tuple[Array, Array, int | None]:
-    """Find a vector in each chain that rotates about axis k, and the axis whose sign they have, if any; 0 if the next joint rotates it.
-
-    It is the direction of the next axis that is not parallel, the way to one that is, or a direction of a tool that is fixed.
-    """
-    arms, line = (one, other), None
-
-    def rotates(vectors: Sequence[Array], least: float) -> bool:
-        return all(np.linalg.norm(cross(arm.lines.axis[k], w)) > least for arm, w in zip(arms, vectors, strict=True))
-
-    for j in range(k, one.n):
-        directions = [arm.lines.axis[j] for arm in arms]
-        if rotates(directions, SEARCHED_AS_PARALLEL_RAD):
-            return directions[0], directions[1], j
-        if one.joint_types[j] == "P":
-            continue
-        line = j if line is None else line
-        ways = [arm.joint_points[j] - arm.joint_points[line] for arm in arms]
-        if rotates(ways, near):
-            return ways[0], ways[1], None
-        if j > k and "zeros" not in fixed:
-            return np.zeros(3), np.zeros(3), None
-    across = perpendicular(one.lines.axis[-1] @ one.home[:3, :3]) * ("tool" in fixed)
-    return one.home[:3, :3] @ across, other.home[:3, :3] @ across, None
+def _are_skew(u: Array, v: Array) -> bool:
+    """Whether the axes u, v (2, 3) of both chains are so far from parallel that their cross products have digits."""
+    return bool((np.linalg.norm(cross(u, v), axis=-1) > SEARCHED_AS_PARALLEL_RAD).all())
 
 
-def _frame(z: Array) -> Array:
-    """Compute the axes of a frame with this z (..., 3), the same ones every time."""
-    x = perpendicular(z)
-    return np.stack([x, cross(z, x), z], axis=-1)
+def _frames(z: Array, x: Array) -> Array:
+    """Compute the axes of the frames (..., 3, 3) with this z, and an x as near as possible."""
+    y = cross(z, x)
+    y /= np.linalg.norm(y, axis=-1, keepdims=True)
+    return np.stack(np.broadcast_arrays(cross(y, z), y, z), axis=-1)
 
 
 def _improved(start: Map, one: Chain, target: Array, fixed: frozenset[str]) -> Map:
