@@ -12,7 +12,6 @@ are lost. There the assignment compares the exact row with one that treats the a
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
@@ -25,9 +24,9 @@ from kinlib.arrays.formatting import format_number, format_vector
 from kinlib.arrays.tolerances import INTERSECTION_TOL_M, PARALLEL_TOL_RAD, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.common_normal import CommonNormal, common_normal
+from kinlib.dh.common_normal import CommonNormal, common_normal, frame_axes
 from kinlib.dh.parsing import MAX_LENGTH_M
-from kinlib.dh.table import Convention, DHTable, dh_transform, format_rows, validate_convention
+from kinlib.dh.table import Convention, DHTable, format_rows, validate_convention
 from kinlib.rigid.lie import cross, homogeneous, nearest_rotation
 
 
@@ -89,17 +88,13 @@ def assign_frames(chain: Chain, convention: Convention, *, snap: bool = False) -
         raise ValueError(
             f"The joints must be revolute or prismatic, but joint {joint} of {chain.name} is helical. Use its screw axis instead."
         )
-    exact = _assign(chain, convention, PARALLEL_TOL_RAD)
-    if exact and not any(normal.is_nearly_parallel for normal in exact.normals):
-        return _snapped(exact) if snap else exact
-    # One bound for the whole arm: an axis that is treated as parallel passes its small error on to the next comparison.
-    results = [exact, *(_assign(chain, convention, bound) for bound in 10.0 ** np.arange(-11.5, -4.5, 0.5))]
-    best = min((result for result in results if result), key=lambda result: result.accuracy)
-    if not snap:
-        return best
-    clean = (_snapped(result) for result in results if result)
-    # The table with the fewest digits is the cleanest.
-    return min(clean, key=lambda result: (sum(map(str.isdigit, str(result.table))), result.accuracy))
+    results = [_assign(chain, convention, PARALLEL_TOL_RAD)]
+    if results[0] is None or any(normal.is_nearly_parallel for normal in results[0].normals):
+        # One bound for the whole arm: an axis that is treated as parallel passes its small error on to the next comparison.
+        results += [_assign(chain, convention, bound) for bound in 10.0 ** np.arange(-11.5, -4.5, 0.5)]
+    found = [_snapped(each) if snap else each for each in results if each]
+    # Of clean tables, the one with the fewest digits is the cleanest.
+    return min(found, key=lambda each: (sum(map(str.isdigit, str(each.table))) * snap, each.accuracy))
 
 
 def _snapped(found: FrameAssignment) -> FrameAssignment:
@@ -132,38 +127,47 @@ def _assign(chain: Chain, convention: Convention, parallel_below: float) -> Fram
     """Assign frames, treating axes at a smaller angle than the bound as parallel; None if a normal is too far away for a table."""
     standard = convention == "standard"
     axes, points = chain.lines.axis, _points_on_axes(chain)
-    frame = _first_frame(axes[0], points[0])
-    base, normals, joint_steps, normal_steps = frame, [], [], []
-    frames = [frame]
-    for i in range(chain.n - 1):
-        other = axes[i + 1], points[i + 1]
-        axis = frame[:3, 2], frame[:3, 3]
-        normal = common_normal(axis, other, frame[:3, 0], at_other_point=standard, parallel_below=parallel_below)
+    z, x = axes[0], _first_perpendicular(np.eye(3), axes[0])  # as close to {s} as the axis allows
+    origin = points[0] - z * (z @ points[0])
+    frames, normals = [homogeneous(frame_axes(x, z), origin)], list[CommonNormal]()
+    for axis, point in zip(axes[1:], points[1:], strict=True):
+        normal = common_normal((z, origin), (axis, point), x, at_other_point=standard, parallel_below=parallel_below)
         normals.append(normal)
-        if i == 0 and not standard:
-            # {0} coincides with {1} at q_1 = 0, so the first normal determines the first frame.
-            frame = _move_about_z(frame, normal.x, normal.start)[0]
-            base, frames = frame, [frame]
-        frame, d_theta = _move_about_z(frame, normal.x, normal.start)
-        joint_steps.append(d_theta)
-        frames += [] if standard else [frame]
-        frame, a_alpha = _move_about_x(frame, normal, axes[i + 1])
-        normal_steps.append(a_alpha)
-        frames += [frame] if standard else []
+        next_z = axis if normal.is_unique else -z if normal.case.startswith("anti") else z
+        at, place = (next_z, normal.end) if standard else (z, normal.start)
+        frames.append(homogeneous(frame_axes(normal.x, at), place))
+        x, z, origin = normal.x, next_z, normal.end
     if standard:
-        frame, d_theta, a = _last_frame(frame, chain.home)
-        joint_steps.append(d_theta)
-        normal_steps.append((a, 0.0))
-    else:
-        joint_steps.append((0.0, 0.0))
-        normal_steps.insert(0, (0.0, 0.0))
-    frames.append(frame)
-    rows = [(a, alpha, d, theta) for (a, alpha), (d, theta) in zip(normal_steps, joint_steps, strict=True)]
-    if max(max(abs(a), abs(d)) for a, _, d, _ in rows) > MAX_LENGTH_M:
+        # The last z stays parallel, and the frame is as near the tool as that allows.
+        across = chain.home[:3, 3] - origin
+        across = across - z * (z @ across)
+        is_beside = np.linalg.norm(across) > INTERSECTION_TOL_M
+        x, origin = across if is_beside else _first_perpendicular(chain.home[:3, :3].T, z), chain.home[:3, 3]
+    frames.append(homogeneous(frame_axes(x, z), origin))
+    if not standard:
+        frames[0] = frames[1]  # {0} coincides with {1} at q_1 = 0
+    rows = _rows_between(np.array(frames), standard)
+    if np.abs(rows[:, [0, 2]]).max() > MAX_LENGTH_M:
         return None
-    tool = _relative_pose(frame, chain.home)
-    table = DHTable(rows, convention=convention, joints=chain.joint_types, base=base, tool=tool, name=chain.name)
-    return FrameAssignment(chain, table, np.array(frames), tuple(normals))
+    table = DHTable(rows, convention=convention, joints=chain.joint_types, base=frames[0], name=chain.name)
+    tool = _relative_poses(table.fk(np.zeros(chain.n)), chain.home)
+    return FrameAssignment(chain, table.changed(tool=tool), np.array(frames), tuple(normals))
+
+
+def _rows_between(frames: Array, standard: bool) -> Array:
+    """Read the numbers (n, 4) of each row from the frames before and after it: a modified row is the inverse of a standard one."""
+    T = _relative_poses(frames[:-1], frames[1:]) if standard else _relative_poses(frames[1:], frames[:-1])
+    a, alpha = np.sum(T[:, :2, 3] * T[:, :2, 0], axis=1), np.arctan2(T[:, 2, 1], T[:, 2, 2])
+    d, theta = T[:, 2, 3], np.arctan2(T[:, 1, 0], T[:, 0, 0])
+    rows = np.column_stack([a, alpha, d, theta]) * (1 if standard else -1)
+    rows[np.abs(rows) <= PARALLEL_TOL_RAD] = 0.0  # in metres, too
+    return np.where(np.abs(np.abs(rows) - np.pi) <= PARALLEL_TOL_RAD, np.pi, rows)
+
+
+def _relative_poses(frames: Array, T: Array) -> Array:
+    """Express poses in frames. The frames may be far away, so the difference of the positions is taken first."""
+    Rt = np.swapaxes(frames[..., :3, :3], -1, -2)
+    return homogeneous(Rt @ T[..., :3, :3], (Rt @ (T - frames)[..., :3, 3:])[..., 0])
 
 
 def _points_on_axes(chain: Chain) -> Array:
@@ -175,49 +179,6 @@ def _points_on_axes(chain: Chain) -> Array:
             if PARALLEL_TOL_RAD < np.linalg.norm(cross(axes[i], axes[neighbour])) < 1e-3:
                 points[i] = points[neighbour]
     return points
-
-
-def _first_frame(z: Array, point: Array) -> Array:
-    """Place frame 0 on the first axis, as close to {s} as the axis allows."""
-    x = _first_perpendicular(np.eye(3), z)
-    return homogeneous(np.transpose([x, cross(z, x), z]), point - z * (z @ point))
-
-
-def _last_frame(frame: Array, home: Array) -> tuple[Array, tuple[float, float], float]:
-    """Place frame n of the standard convention: z_n stays parallel, and the frame is as near the tool as that allows."""
-    z, origin = frame[:3, 2], frame[:3, 3]
-    foot = origin + z * (z @ (home[:3, 3] - origin))
-    offset = home[:3, 3] - foot
-    a = float(np.linalg.norm(offset))
-    x = offset / a if a > INTERSECTION_TOL_M else _first_perpendicular(home[:3, :3].T, z)
-    a = a if a > INTERSECTION_TOL_M else 0.0
-    frame, d_theta = _move_about_z(frame, x, foot)
-    return frame @ dh_transform(a, 0, 0, 0, convention="standard"), d_theta, a
-
-
-def _move_about_z(frame: Array, x: Array, origin: Array) -> tuple[Array, tuple[float, float]]:
-    """Move a frame about and along its own z to the given x and origin; return the frame, and d and theta."""
-    d = float(frame[:3, 2] @ (origin - frame[:3, 3]))
-    cos, sin, _ = x @ frame[:3, :3]
-    theta = math.atan2(sin, cos)
-    return frame @ dh_transform(0, 0, d, theta, convention="standard"), (d, theta)
-
-
-def _move_about_x(frame: Array, normal: CommonNormal, z: Array) -> tuple[Array, tuple[float, float]]:
-    """Move a frame about and along its own x onto the next axis; return the frame, and a and alpha."""
-    a = float(frame[:3, 0] @ (normal.end - frame[:3, 3])) if normal.has_length else 0.0
-    straight = np.pi if normal.case.startswith("anti") else 0.0
-    _, minus_sin, cos = z @ frame[:3, :3]
-    alpha = math.atan2(-minus_sin, cos) if normal.is_unique else straight
-    return frame @ dh_transform(a, alpha, 0, 0, convention="standard"), (a, alpha)
-
-
-def _relative_pose(frame: Array, T: Array) -> Array:
-    """Express a pose in a frame. The frame may be far away, so the difference of the positions is taken first."""
-    relative = T.copy()
-    relative[:3, 3] -= frame[:3, 3]
-    relative[:3] = frame[:3, :3].T @ relative[:3]
-    return relative
 
 
 def _first_perpendicular(candidates: Array, z: Array) -> Array:
@@ -286,7 +247,17 @@ def _steps(found: FrameAssignment) -> Iterator[AssignmentStep]:
     yield AssignmentStep("first", 0, text, others)
     for pair, normal in enumerate(normals):
         yield from _explain_link(frames[pair : pair + 2], pair, normal, standard)
-    yield _explain_last_frame(chain, table, frames)
+    n, place = (
+        chain.n,
+        f"O_{chain.n} is at {format_vector(frames[-1, :3, 3])}, x_{chain.n} along {format_vector(frames[-1, :3, 0])}.",
+    )
+    text = f"There is no next axis: z_{n} is parallel to z_{n - 1}, and the frame is as near the tool as that allows. {place}"
+    others = "Any frame whose x intersects z_{n-1} at a right angle; the tool transform compensates for it."
+    if not standard:
+        d, theta = ("0", f"q_{n}") if table.joints[-1] == "R" else (f"q_{n}", "0")
+        text = f"Frame {n} is placed such that d_{n} = {d} and theta_{n} = {theta}. {place} The tool transform leads from there to {{b}}."
+        others = "Any other origin on the axis and any x perpendicular to it; d, theta and the tool change accordingly."
+    yield AssignmentStep("last", n, text, others)
     length = partial(format_number, digits=6)  # the numbers of the table, and not their beginnings
     for i, (a, alpha, d, theta) in enumerate(format_rows(table, length=length, variable="q_{}".format), start=1):
         k = i if standard else i - 1
@@ -322,7 +293,7 @@ def _explain_link(frames: Array, pair: int, normal: CommonNormal, standard: bool
     text = f"O_{frame} lies on axis {j if standard else i}, {reason}: {format_vector(T[:3, 3])}."
     yield AssignmentStep("origin", frame, text, "" if normal.is_unique else ALTERNATIVES[normal.case])
     direction = "the same as before"
-    if normal.has_length:
+    if normal.case in {"skew", "parallel", "antiparallel"}:
         direction = "along the common normal, from axis to axis"
     elif normal.case == "intersecting":
         is_tie = abs(normal.x @ previous[:3, 0]) <= PARALLEL_TOL_RAD
@@ -332,19 +303,3 @@ def _explain_link(frames: Array, pair: int, normal: CommonNormal, standard: bool
     yield AssignmentStep("x", frame, f"x_{frame} is {direction}: {format_vector(normal.x)}.", others)
     text = f"y_{frame} = z_{frame} × x_{frame} completes a right-handed frame: {format_vector(T[:3, 1])}."
     yield AssignmentStep("y", frame, text)
-
-
-def _explain_last_frame(chain: Chain, table: DHTable, frames: Array) -> AssignmentStep:
-    n, T = chain.n, frames[-1]
-    place = f"O_{n} is at {format_vector(T[:3, 3])}, x_{n} along {format_vector(T[:3, 0])}."
-    if table.convention == "standard":
-        text = f"There is no next axis: z_{n} is parallel to z_{n - 1}, and the frame is as near the tool as that allows. {place}"
-        others = "Any frame whose x intersects z_{n-1} at a right angle; the tool transform compensates for it."
-    else:
-        d, theta = ("0", f"q_{n}") if table.joints[-1] == "R" else (f"q_{n}", "0")
-        text = (
-            f"Frame {n} is placed such that d_{n} = {d} and theta_{n} = {theta}. {place} "
-            "The tool transform leads from there to {b}."
-        )
-        others = "Any other origin on the axis and any x perpendicular to it; d, theta and the tool change accordingly."
-    return AssignmentStep("last", n, text, others)

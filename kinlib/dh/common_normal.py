@@ -37,11 +37,6 @@ class CommonNormal:
         return PARALLEL_TOL_RAD < self.sine < NEARLY_PARALLEL_RAD
 
     @property
-    def has_length(self) -> bool:
-        """Whether the axes do not meet."""
-        return self.case in {"skew", "parallel", "antiparallel"}
-
-    @property
     def is_unique(self) -> bool:
         """Whether the axes determine the position of the normal; parallel axes have a common normal at every point."""
         return self.case in {"skew", "intersecting"}
@@ -68,7 +63,7 @@ def common_normal(
     # Measuring from the foot nearest the other joint is the most accurate: the vector between is short and perpendicular to z.
     near = origin + z * (z @ (other_point - origin))
     across = other_point - near
-    both = cross(z, other_z)
+    both = cross(z, other_z - z * np.sign(z @ other_z))  # of nearly parallel axes the difference has all its digits
     sine = math.hypot(*both)
     if sine <= parallel_below:
         start = near if at_other_point else origin
@@ -87,3 +82,14 @@ def common_normal(
     if abs(length) <= INTERSECTION_TOL_M:
         return CommonNormal("intersecting", -x if x @ previous_x < -PARALLEL_TOL_RAD else x, start, end, sine)
     return CommonNormal("skew", x if length > 0 else -x, start, end, sine)
+
+
+def frame_axes(x: Array, z: Array) -> Array:
+    """Compute the rotations (..., 3, 3) of frames with these z (..., 3), unit vectors, and with x as near as possible.
+
+    >>> frame_axes(np.array([2.0, 0, 1]), np.array([0, 0, 1.0]))[:, 0]
+    array([1., 0., 0.])
+    """
+    y = cross(z, x)
+    y /= np.linalg.norm(y, axis=-1, keepdims=True)
+    return np.stack(np.broadcast_arrays(cross(y, z), y, z), axis=-1)
