@@ -24,13 +24,12 @@ from kinlib.chains.robots import youbot
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import CHOICES, describe_pose, equivalent, measured_difference
-from kinlib.dh.explanation.rounding import typed_half_units, with_right_angles
+from kinlib.dh.explanation.rounding import with_right_angles
 from kinlib.dh.explanation.search import TableExplanation, explain_by_choices
-from kinlib.dh.formatting import PRINTED_DIGITS, headings
 from kinlib.dh.parsing import Assumption
 from kinlib.dh.read_table import read_table
-from kinlib.dh.slips import NUMBERS, OTHER_CONVENTION, Fault, wrong_number
-from kinlib.dh.table import Convention, DHTable, format_rows, table_frames
+from kinlib.dh.slips import NUMBERS, OTHER_CONVENTION, Fault
+from kinlib.dh.table import PRINTED_DIGITS, Convention, DHTable, format_rows, headings, table_frames
 from kinlib.rigid.lie import nearest_rotation
 from kinlib.urdf.chains import load_urdf
 from kinlib.urdf.robot_tree import Tree
@@ -124,7 +123,7 @@ class Examination:
     @cached_property
     def read(self) -> DHTable | None:
         """The given table with right angles where its digits mean them, such as 1.5708; the other numbers as they were given."""
-        return with_right_angles(self.table, typed_half_units(self.table.rows)[0]) if self.table else None
+        return with_right_angles(self.table) if self.table else None
 
     @property
     def sentence(self) -> str:
@@ -170,10 +169,6 @@ class Examination:
         some = diagnose(strict.table, strict.arm, JOINT_CHOICES) if is_many else strict
         either = [*([] if is_right else free.explanations), *some.explanations]
         faults += [(each.faults, each.corrected) for each in either if not each.is_a_choice]
-        if near := strict.nearest:
-            places = np.argwhere(near.rows != strict.table.rows).tolist()
-            numbers = [wrong_number(strict.table, i, k, float(near.rows[i, k])) for i, k in places]
-            faults.insert(0, (numbers, near))
         found = [_explained(strict, *each) for each in faults]
         off = [max(measured_difference(each.corrected.to_chain(), strict.arm)) for each in found]
         several: list[TableExplanation] = []
@@ -307,14 +302,14 @@ def _shown(table: DHTable, caption: str, rows: Sequence[Sequence[str]] = (), arm
 def _explained(strict: Diagnosis, mistakes: Sequence[Fault], table: DHTable) -> TableExplanation:
     """Add to mistakes the choices of the arm that are still missing: as few of base, tool, zeros and signs as are enough."""
     mistakes = [fault for fault in mistakes if fault.name not in ENDS]
-    plain = with_right_angles(table, typed_half_units(strict.table.rows)[0])
+    plain = with_right_angles(table)
     start = plain.changed(base=strict.table.base, tool=strict.table.tool)
     for tolerance, fixed in product((1e-6, 1e-4, 1e-2), (CHOICES, JOINT_CHOICES, ())):
         found = equivalent(start, strict.arm, fixed=fixed, tolerance=tolerance)
         if found.verdict == "same":
             choices = explain_by_choices(start, found)
             faults = [*mistakes, *choices.faults]
-            return TableExplanation(faults, _without_noise(choices.corrected), len(faults), is_a_choice=not mistakes)
+            return TableExplanation(faults, _without_noise(choices.corrected), len(faults))
     return TableExplanation(mistakes, start, len(mistakes))
 
 

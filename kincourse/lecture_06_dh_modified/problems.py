@@ -30,9 +30,8 @@ from kincourse.text.dh_tables import in_latex, markdown_table
 from kincourse.text.joint_table import joint_table, rows_from_frames
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
-from kinlib.dh.formatting import add_variable, headings
 from kinlib.dh.parsing import COLUMNS
-from kinlib.dh.table import Convention, DHTable
+from kinlib.dh.table import Convention, DHTable, add_variable, headings
 from kinlib.rigid.lie import homogeneous
 from kinlib.view import draw_arm, draw_frames, draw_joints
 from misstep.answers.base import TOLERANCE, Named

@@ -22,20 +22,21 @@ from numpy.typing import NDArray
 from kinlib.arrays.tolerances import PARALLEL_TOL_RAD, SAME_DISTANCE_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
+from kinlib.dh.common_normal import frame_axes
 from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import adjoint, cross, exp, homogeneous, inverse, perpendicular, vee
 
 Booleans = NDArray[np.bool_]
 
 
-def neighbours(chain: Chain) -> tuple[Array, Array, Array]:
-    """Compute the sine of the angle between each axis and the next, the acute angle, and the length of their normal, (n - 1,) each."""
+def neighbours(chain: Chain) -> tuple[Array, Array]:
+    """Compute the acute angle between each axis and the next, and the length of their normal, (n - 1,) each."""
     u, v, between = chain.lines.axis[:-1], chain.lines.axis[1:], np.diff(chain.joint_points, axis=0)
     normal = cross(u, v)
     sine = np.linalg.norm(normal, axis=-1)
     along_normal = np.abs(_dot(between, normal)) / np.maximum(sine, PARALLEL_TOL_RAD)
     distance = np.where(sine <= PARALLEL_TOL_RAD, np.linalg.norm(cross(between, u), axis=-1), along_normal)
-    return sine, np.arctan2(sine, np.abs(_dot(u, v))), distance
+    return np.arctan2(sine, np.abs(_dot(u, v))), distance
 
 
 class AxisInvariants:
@@ -45,7 +46,7 @@ class AxisInvariants:
     """
 
     def __init__(self, reference: Chain, tolerance: float) -> None:
-        types, n, sines = reference.joint_types, reference.n, neighbours(reference)[0]
+        types, n, sines = reference.joint_types, reference.n, np.sin(neighbours(reference)[0])
         has_lines = np.array(["P" not in types[k : k + 2] for k in range(n - 1)], dtype=bool)
         self._skew = np.flatnonzero(has_lines & (sines > 0.14))
         # The distance of nearly parallel lines depends on the last digits.
@@ -132,25 +133,31 @@ def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float) 
 
     The search begins with at most four choices of the signs, those with which the axes agree best and the fewest choices change.
     """
-    invariants, target = (
-        AxisInvariants(other, 100 * loose),
-        other.fk(random_configurations(one.n, COMPARED_CONFIGURATIONS)),
-    )
+    q = random_configurations(one.n, COMPARED_CONFIGURATIONS)
+    invariants, target = AxisInvariants(other, 100 * loose), other.fk(q)
     s, off = invariants.sign_patterns(invariants.of(one.lines.axis, one.joint_points))
     offsets, R = _rotated(one, other, s, fixed, loose / 2)
     is_constant = np.array([letter == "P" or "zeros" in fixed for letter in one.joint_types])
-    admitted = (np.abs(offsets[:, is_constant]) < 0.1).all(axis=1) & ((s > 0).all(axis=1) | ("signs" not in fixed))
+    admitted: Booleans = np.asarray((np.abs(offsets[:, is_constant]) < 0.1).all(axis=1))
+    admitted &= (s > 0).all(axis=1) | ("signs" not in fixed)
     for end, joint, A, B in (("base", 0, np.eye(3), np.eye(3)), ("tool", -1, one.home[:3, :3], other.home[:3, :3])):
         if end in fixed:
             off_axis = s[:, [joint]] * (one.lines.axis[joint] @ A) - other.lines.axis[joint] @ B
             admitted &= np.linalg.norm(off_axis, axis=1) <= 100 * loose
     offsets[:, is_constant] = 0.0
     zeros = (np.abs(offsets) > max(loose, SAME_DISTANCE_RAD)).sum(axis=1)
+    is_free = np.repeat([name not in fixed for name in ("base", "zeros", "tool")], [6, one.n, 6])
+    # The zero of the first joint is a motion of the base, and that of the last one a motion of the tool.
+    is_free[6] &= "base" in fixed
+    is_free[-7] &= "tool" in fixed
     found = list[Map]()
     for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros, off > 0.01)) if admitted[k]][:4]:
         X = homogeneous(R[k], np.zeros(3))
         Y = np.eye(4) if "tool" in fixed else inverse(X @ one.fk(offsets[k])) @ other.home
-        found.append(_improved(Map(s[k], offsets[k], X, Y).measured(one, target), one, target, fixed))
+        start = Map(s[k], offsets[k], X, Y).measured(one, target)
+        X, change, Y = fitted(one, s[k] * q + offsets[k], X, Y, target, lambda _: is_free, steps=7)
+        moved = replace(start, offsets=offsets[k] + change, base=X, tool=Y).measured(one, target)
+        found.append(min(moved, start, key=lambda each: each.difference))
     return found
 
 
@@ -185,32 +192,13 @@ def _rotated(one: Chain, other: Chain, s: Array, fixed: frozenset[str], near: fl
     theta = np.arctan2(_dot(cross(before, after), u), cosine)
     offsets = np.zeros(s.shape)
     offsets[:, joints] = wrap_angle(sign * theta[1] - theta[0] + np.pi * (e[:, :-1] != e[:, 1:]))
-    R = _frames(u[1, 0], x[1, 0]) @ np.swapaxes(_frames(sign[:, :1] * u[0, 0], e[:, :1] * x[0, 0]), -1, -2)
+    R = frame_axes(x[1, 0], u[1, 0]) @ np.swapaxes(frame_axes(e[:, :1] * x[0, 0], sign[:, :1] * u[0, 0]), -1, -2)
     return offsets, np.tile(np.eye(3), (len(s), 1, 1)) if "base" in fixed else R
 
 
 def _are_skew(u: Array, v: Array) -> bool:
     """Whether the axes u, v (2, 3) of both chains are so far from parallel that their cross products have digits."""
     return bool((np.linalg.norm(cross(u, v), axis=-1) > SEARCHED_AS_PARALLEL_RAD).all())
-
-
-def _frames(z: Array, x: Array) -> Array:
-    """Compute the axes of the frames (..., 3, 3) with this z, and an x as near as possible."""
-    y = cross(z, x)
-    y /= np.linalg.norm(y, axis=-1, keepdims=True)
-    return np.stack(np.broadcast_arrays(cross(y, z), y, z), axis=-1)
-
-
-def _improved(start: Map, one: Chain, target: Array, fixed: frozenset[str]) -> Map:
-    """Improve a map by least-squares steps on the poses themselves, for all configurations at once."""
-    values = start.signs * random_configurations(one.n, COMPARED_CONFIGURATIONS) + start.offsets
-    is_free = np.repeat([name not in fixed for name in ("base", "zeros", "tool")], [6, one.n, 6])
-    # The zero of the first joint is a motion of the base, and that of the last one a motion of the tool.
-    is_free[6] &= "base" in fixed
-    is_free[-7] &= "tool" in fixed
-    X, change, Y = fitted(one, values, start.base, start.tool, target, lambda _: is_free, steps=7)
-    moved = replace(start, base=X, tool=Y, offsets=start.offsets + change).measured(one, target)
-    return min(moved, start, key=lambda each: each.difference)
 
 
 def fitted(  # noqa: PLR0917

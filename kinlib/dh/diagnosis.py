@@ -20,10 +20,11 @@ from kinlib.arrays.formatting import format_number
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
+from kinlib.dh.alignment import neighbours
 from kinlib.dh.equivalence import CHOICES, Equivalence, equivalent, measured_difference
-from kinlib.dh.explanation.rounding import nearest_table, rounding_effect, typed_half_units, with_right_angles
-from kinlib.dh.explanation.search import TableExplanation, explain_by_choices, explain_by_slips
-from kinlib.dh.slips import NUMBERS, Fault, wrong_number
+from kinlib.dh.explanation.rounding import explain_by_numbers, rounding_effect, typed_half_units, with_right_angles
+from kinlib.dh.explanation.search import CHOICE_FAULTS, TableExplanation, explain_by_choices, explain_by_slips
+from kinlib.dh.slips import ANGLES, NUMBERS, Fault
 from kinlib.dh.table import Convention, DHTable
 from kinlib.urdf.chains import load_urdf
 
@@ -33,6 +34,8 @@ table is called right, and mistakes are looked for."""
 
 CLEARLY_LESS, SEVERAL_UNITS = 4, 5
 """The part of a difference that is left without a wrong number, and by how many half units this one is off at least."""
+
+NOT_EXPLAINED = "No known mistake was found that explains this table."
 
 TAKEN_AS_RIGHT_ANGLES = "Angles that round to those of the table were taken as multiples of 45 degrees."
 
@@ -45,9 +48,8 @@ class Diagnosis:
                   "undecided", if rounding or nearly parallel axes may explain the difference, and no mistake does; or "wrong"
     table, arm    the table that was diagnosed, and the arm
     comparison    of this table and the arm, up to the choices that are not fixed; if the table is "rounded", to within the rounding
-    explanations  all explanations that are equally simple, the most plausible one first; empty if the table is right
-    nearest       if nothing explains the table: the table with other numbers that describes the arm, as few as were found
-    up_to         the choices up to which it does, in words, if these are fixed
+    explanations  all explanations that are equally simple, the most plausible one first; empty if the table is right. If no slips
+                  explain the table, the one with other numbers that describe the arm, as few as were found
     rounding      what the digits of the table show of their rounding, in words; "" with a given tolerance
     note          what was taken for granted
     """
@@ -57,8 +59,6 @@ class Diagnosis:
     arm: Chain
     comparison: Equivalence
     explanations: Sequence[TableExplanation] = ()
-    nearest: DHTable | None = None
-    up_to: str = ""
     rounding: str = ""
     note: str = ""
 
@@ -89,16 +89,10 @@ class Diagnosis:
             return "\n".join(self._agreement())
         lines = self._told_mistakes()
         if self.verdict == "undecided":
-            rounded = f"its numbers may only be rounded ({self.rounding})"
-            cause = rounded if self.rounding else "axes are nearly parallel"
+            cause = (
+                f"its numbers may only be rounded ({self.rounding})" if self.rounding else "axes are nearly parallel"
+            )
             lines = [f"Whether this table describes the arm cannot be decided: {cause}.", self.difference]
-        elif not lines:
-            difference = self.difference if self.nearest is None else ""
-            lines = [f"No known mistake was found that explains this table. {difference}".rstrip()]
-        if self.nearest is not None:
-            faults = _different_entries(self.table, self.nearest)
-            lines.append(f"It would describe the arm{self.up_to} with these numbers, the largest difference first:")
-            lines += [fault.text for fault in faults[:MAX_DIFFERENT_ENTRIES]]
         return "\n".join([*lines, self.note]).rstrip()
 
     def _told_mistakes(self) -> list[str]:
@@ -106,39 +100,40 @@ class Diagnosis:
         # Another number for the same entry is the same mistake.
         told = {tuple((f.name, f.row, f.column) for f in each.faults): each for each in reversed(self.explanations)}
         texts = [[fault.text for fault in each.faults] for each in reversed(told.values())]
+        if not texts:
+            return [f"{NOT_EXPLAINED} {self.difference}"]
         if len(texts) > 1:
             return ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
-        if texts and self.explanations[0].is_a_choice:
+        if self.explanations[0].is_a_choice:
             digits = " to the digits that are printed" * bool(self.rounding)
             head = f"The table describes the arm{digits} after these changes of choices that are fixed here:"
             return [head, *texts[0]]
-        if texts and len(texts[0]) > 1:  # other pairs may lead to the same motions, so this one is no fact
-            return ["The table agrees with the arm after these changes:", *texts[0]]
-        return texts[0] if texts else []
+        if len(texts[0]) > 2:
+            head = "It would describe the arm with these numbers, the largest difference first:"
+            return [NOT_EXPLAINED, head, *texts[0][:MAX_DIFFERENT_ENTRIES]]
+        # Other pairs may lead to the same motions, so this one is no fact.
+        return ["The table agrees with the arm after these changes:"] * (len(texts[0]) > 1) + texts[0]
 
     def _agreement(self) -> Iterator[str]:
         """Describe how well a table describes the arm, for the same q, and up to which choices."""
-        found = self.comparison
         digits = f" to the digits that are printed ({self.rounding})" if self.verdict == "rounded" else ""
-        kinds = {name for name, _ in found.choices()}
+        choices = explain_by_choices(self.table, self.comparison).faults
         metres, radians = measured_difference(self.table.to_chain(), self.arm)
         degrees = format_number(math.degrees(radians), 3, zero=1e-6)
         differ = f"differ by up to {format_number(metres, 3)} m and {degrees}°, at 1000 random configurations."
-        if not kinds:
+        if not choices:
             yield f"This table describes the arm{digits}" + (f"; their poses {differ}" if digits else ".")
             return
         yield f"For the same q, the poses of the table and of the arm {differ}"
         yield f"The table describes the arm{digits}, up to these choices:"
-        yield from (fault.text for fault in explain_by_choices(self.table, found).faults)
-        if kinds & {"zeros", "signs"}:
-            fixed = frozenset(CHOICES) - ({"base", "tool"} & kinds)
-            exact = np.zeros_like(self.table.rows)
-            one_slip = explain_by_slips(self.table, self.arm, fixed, found.tolerance, 1, exact)
-            changed = sum(name in {"zeros", "signs"} for name, _ in found.choices())
+        yield from (fault.text for fault in choices)
+        kinds = {name for name, fault in CHOICE_FAULTS.items() if any(each.name == fault for each in choices)}
+        if changed := sum(fault.row is not None for fault in choices):  # zeros and signs
+            fixed, exact = frozenset(CHOICES) - ({"base", "tool"} & kinds), np.zeros_like(self.table.rows)
+            one_slip = explain_by_slips(self.table, self.arm, fixed, self.comparison.tolerance, 1, exact)
             told = [each.faults[0] for each in one_slip if each.faults[0].row is None or each.edits <= changed]
             texts = [fault.text for fault in told if fault.name not in NUMBERS]
-            if texts:
-                yield f"If q is meant to be the same: {' Or: '.join(texts[:MAX_TOLD])}"
+            yield from [f"If q is meant to be the same: {' Or: '.join(texts[:MAX_TOLD])}"] * bool(texts)
         differing = ", ".join(f'"{name}"' for name in CHOICES if name in kinds)
         yield f"To count these as mistakes, pass fixed=[{differing}]."
 
@@ -184,73 +179,44 @@ def diagnose(
         return found
     plain, half, noise = table, np.zeros(table.rows.shape), exact
     if tolerance is None:
-        half, words = typed_half_units(table.rows)
-        plain = with_right_angles(table, half)
-        half = typed_half_units(plain.rows)[0]
+        plain = with_right_angles(table)
+        half, _ = typed_half_units(plain.rows)
         noise = max(rounding_effect(plain, half), exact)
-        is_other = np.abs(plain.rows - table.rows).max() > TYPED_PI_ERROR
-        found = replace(found, rounding=words, note=TAKEN_AS_RIGHT_ANGLES * bool(is_other))
+        is_other = bool(np.abs(plain.rows - table.rows).max() > TYPED_PI_ERROR)
+        found = replace(found, rounding=typed_half_units(table.rows)[1], note=TAKEN_AS_RIGHT_ANGLES * is_other)
     near = equivalent(plain, arm, fixed=names, tolerance=noise)
-    if near.verdict == "same":
+    if near.verdict == "same" and near.difference <= MAX_ROUNDED_TOL:
         # A number that is off by several of its units is no rounded one, if nearly all of the difference goes with it. Up to free
         # choices, rounded tables have such numbers, too.
         bound, clear = near.difference / CLEARLY_LESS, list[TableExplanation]()
-        if bound > exact and names >= {*CHOICES}:
+        if names >= {*CHOICES}:
             clear = explain_by_slips(plain, reference, names, bound, 1, SEVERAL_UNITS * half)
-        if clear or near.difference <= MAX_ROUNDED_TOL:
-            found = replace(found, verdict="wrong" if clear else "rounded", comparison=near, explanations=clear)
-            return replace(found, note=found.note * bool(clear))
-    if compared.verdict == "undecided":
-        return replace(found, verdict="undecided")
-    is_near, is_typed = near.verdict == "same", bool((plain.rows != table.rows).any())
-    searches = [(plain, exact), *[(table, exact)] * is_typed]
+        return replace(found, verdict="wrong" if clear else "rounded", comparison=near, explanations=clear)
+    # Rounding changes the angle of two neighbouring axes by no more than the angles of the rows between them.
+    angles = np.array([neighbours(each)[0] for each in (plain.to_chain(), arm)])
+    angles_agree = np.abs(angles[0] - angles[1]).max(initial=0.0) <= half[:, ANGLES].sum()
+    is_near = near.verdict == "same" and angles_agree
+    searches = [(plain, exact), *[(table, exact)] * bool((plain.rows != table.rows).any())]
     searches += [(plain, min(noise, MAX_ROUNDED_TOL))] * (noise > exact and not is_near)
-    for start, bound in searches:
+    for start, bound in searches if compared.verdict == "different" else ():
         slips = 1 if is_near or bound > exact else 2  # two numbers can explain the rounding of all of them
-        if explanations := _explanations(start, reference, names, half, bound, in_pairs, slips):
+        if explanations := _explanations(start, reference, names, bound, half, slips if in_pairs else 0):
             return replace(found, explanations=explanations)
-    if near.verdict != "different":
+    if is_near or "undecided" in {compared.verdict, near.verdict}:
         return replace(found, verdict="undecided")
-    return _with_nearest(replace(found, table=plain), names, half, noise) if in_pairs else found
+    return replace(found, explanations=explain_by_numbers(plain, arm, names, half, noise) if in_pairs else [])
 
 
 def _explanations(  # noqa: PLR0917
-    table: DHTable,
-    reference: Chain | DHTable,
-    fixed: frozenset[str],
-    half: Array,
-    bound: float,
-    in_pairs: bool,
-    max_slips: int,
+    table: DHTable, reference: Chain | DHTable, fixed: frozenset[str], bound: float, half: Array, max_slips: int
 ) -> Sequence[TableExplanation]:
-    """Explain a table by one slip; or by choices that are fixed, or two slips, whichever changes less."""
-    found = explain_by_slips(table, reference, fixed, bound, 1, half)
-    if not in_pairs or any(each.edits <= 1 for each in found):
-        return found
+    """Explain a table by one slip; or by choices that are fixed, or two slips, whichever changes less; with 0 only by one slip."""
+    one = explain_by_slips(table, reference, fixed, bound, 1, half)
+    if not max_slips or any(each.edits <= 1 for each in one):
+        return one
     compared = equivalent(table, reference, tolerance=bound)
     choices = [explain_by_choices(table, compared, fixed)] * (bool(fixed) and compared.verdict == "same")
-    if not found and max_slips > 1 and not any(each.edits <= 2 for each in choices):
-        found = explain_by_slips(table, reference, fixed, bound, 2, half)
-    is_pair = bool(found) and len(found[0].faults) > 1
-    return choices if choices and (not found or choices[0].edits < found[0].edits + is_pair) else found
-
-
-def _with_nearest(found: Diagnosis, fixed: frozenset[str], half: Array, noise: float) -> Diagnosis:
-    """Add the table with few other numbers that describes the arm to a diagnosis that found no mistake."""
-    table, up_to = found.table, ""
-    nearest = nearest_table(table, found.arm, fixed, half, noise)
-    if nearest is None and fixed:
-        nearest, up_to = nearest_table(table, found.arm, frozenset(), half, noise), f", up to {', '.join(CHOICES)},"
-    if nearest is None:
-        return found
-    faults = _different_entries(table, nearest)
-    if len(faults) <= 2 and not up_to:
-        return replace(found, explanations=[TableExplanation(faults, nearest, 2 * len(faults))])
-    return replace(found, nearest=nearest, up_to=up_to)
-
-
-def _different_entries(table: DHTable, right: DHTable) -> list[Fault]:
-    """Describe the entries in which two tables differ, the largest difference first."""
-    off = np.abs(right.rows - table.rows)
-    places = sorted(np.argwhere(off > 0).tolist(), key=lambda place: -off[tuple(place)])
-    return [wrong_number(table, row, column, float(right.rows[row, column])) for row, column in places]
+    is_found = bool(one) or any(each.edits <= 2 for each in choices)
+    two = [] if is_found or max_slips < 2 else explain_by_slips(table, reference, fixed, bound, 2, half)
+    several = [each for each in (one, two, choices) if each]
+    return min(several, key=lambda found: found[0].edits + (found is two), default=[])

@@ -23,6 +23,7 @@ from kinlib.arrays.tolerances import EQUIVALENCE_TOL, NEARLY_PARALLEL_RAD, PARAL
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Booleans, Map, nearest_maps, neighbours
+from kinlib.dh.parsing import MAX_LENGTH_M
 from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import homogeneous, log
 
@@ -168,8 +169,8 @@ def equivalent(
     if letters != other.joint_types:
         types = f"The joint types differ: {letters} in the first, {other.joint_types} in the second."
         return Equivalence(verdict="different", reason=types)
-    sines = np.array([neighbours(one)[0], neighbours(other)[0]])
-    near: Booleans = np.any((sines > PARALLEL_TOL_RAD) & (sines < NEARLY_PARALLEL_RAD), axis=0)
+    angles = np.array([neighbours(one)[0], neighbours(other)[0]])
+    near: Booleans = np.any((angles > PARALLEL_TOL_RAD) & (angles < NEARLY_PARALLEL_RAD), axis=0)
     q = random_configurations(one.n, COMPARED_CONFIGURATIONS)
     found = [Map(np.ones(one.n), np.zeros(one.n)).measured(one, other.fk(q))]
     if found[0].difference > tolerance and len({*fixed}) < len(CHOICES):
@@ -196,18 +197,17 @@ def equivalent(
 def _without_noise(found: Map, joint_types: str, tolerance: float) -> Map:
     """Return a map whose angles are right angles, and whose numbers are 0, where this is within the tolerance."""
 
-    def cleaned(numbers: Array, unit: float | None = None) -> Array:
-        near = np.round(numbers / unit) * unit if unit else 0.0
+    def cleaned(numbers: Array, unit: Array | float) -> Array:
+        near = np.round(numbers / unit) * unit
         return np.where(np.abs(numbers - near) <= tolerance, near, numbers)
 
     def pose(T: Array) -> Array:
         R = np.round(T[:3, :3]) + 0.0  # of frames whose axes are parallel
         is_near = np.abs(T[:3, :3] - R).max() <= min(tolerance, 0.1)
-        return homogeneous(R if is_near else T[:3, :3], cleaned(T[:3, 3]))
+        return homogeneous(R if is_near else T[:3, :3], cleaned(T[:3, 3], MAX_LENGTH_M))
 
-    slides = np.array([letter == "P" for letter in joint_types])
-    offsets = np.where(slides, cleaned(found.offsets), cleaned(found.offsets, np.pi / 2))
-    return replace(found, offsets=offsets, base=pose(found.base), tool=pose(found.tool))
+    units = np.where([letter == "P" for letter in joint_types], MAX_LENGTH_M, np.pi / 2)
+    return replace(found, offsets=cleaned(found.offsets, units), base=pose(found.base), tool=pose(found.tool))
 
 
 def _description_length(found: Map) -> tuple[int, float]:
@@ -218,14 +218,13 @@ def _description_length(found: Map) -> tuple[int, float]:
 
 def _largest_axis_difference(one: Chain, other: Chain, is_near: Booleans, tolerance: float) -> str:
     """Describe the pair of neighbouring axes whose angle or distance differs most, if they do not all agree."""
-    _, angles, distances = np.array([neighbours(one), neighbours(other)]).swapaxes(0, 1)
+    angles, distances = np.array([neighbours(one), neighbours(other)]).swapaxes(0, 1)
     agree = "The angles and the distances of neighbouring axes agree; what differs is a distance along an axis, or a choice that is fixed."
     found = [(tolerance, agree)]
     for i, near in enumerate(is_near):
-        if (off := abs(float(np.diff(angles[:, i])[0]))) > tolerance:
-            first, second = format_different(*np.degrees(angles[:, i]).tolist())
-            text = f"make an angle of {first} degrees in the first, and of {second} degrees in the second."
-            found.append((off, f"Axes {i + 1} and {i + 2} {text}"))
+        first, second = format_different(*np.degrees(angles[:, i]).tolist())
+        text = f"make an angle of {first} degrees in the first, and of {second} degrees in the second."
+        found.append((abs(float(np.diff(angles[:, i])[0])), f"Axes {i + 1} and {i + 2} {text}"))
         if "P" not in one.joint_types[i : i + 2] and not near:
             first, second = format_different(*distances[:, i].tolist())
             text = f"are {first} m apart in the first, and {second} m in the second."

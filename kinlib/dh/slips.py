@@ -58,11 +58,6 @@ def reorder(order: Sequence[int]) -> Change:
     return lambda rows: rows[..., [*order]]
 
 
-def swap(one: int, two: int) -> Change:
-    """Return the change that swaps two columns."""
-    return reorder([{one: two, two: one}.get(k, k) for k in range(4)])
-
-
 def roll(columns: Sequence[int], by: int) -> Change:
     """Return the change that moves the numbers of some columns down by some rows; those of the last rows come first."""
     is_moved = np.isin(np.arange(4), columns)
@@ -70,10 +65,11 @@ def roll(columns: Sequence[int], by: int) -> Change:
 
 
 RULE = "it is the angle from one z to the next about the x between them, by the right-hand rule"
-
 MEASURED = "a is measured along x, d along z"
 ORDER = "The columns are in the order {typed}, but were read as a, alpha, d, theta."
+
 DEGREES, RADIANS = 180 / np.pi, np.pi / 180
+LENGTHS_SWAPPED, ANGLES_SWAPPED = (D, ALPHA, A, THETA), (A, THETA, D, ALPHA)
 
 SLIPS_OF_A_TABLE = [
     Slip("degrees", "The angles are in degrees, but were read as radians.", scale(ANGLES, DEGREES), scale(ANGLES, RADIANS)),
@@ -87,8 +83,8 @@ SLIPS_OF_A_TABLE = [
     ),
     Slip("sign of alpha", f"Every alpha has the wrong sign: {RULE}.", scale([ALPHA], -1), column=ALPHA),
     *(Slip(f"sign of {COLUMNS[k]}", f"Every {COLUMNS[k]} has the wrong sign.", scale([k], -1), column=k) for k in (D, A, THETA)),
-    Slip("a and d swapped", f"The columns a and d are swapped: {MEASURED}.", swap(A, D), column=A),
-    Slip("angles swapped", "The columns theta and alpha are swapped.", swap(THETA, ALPHA), column=THETA),
+    Slip("a and d swapped", f"The columns a and d are swapped: {MEASURED}.", reorder(LENGTHS_SWAPPED), column=A),
+    Slip("angles swapped", "The columns theta and alpha are swapped.", reorder(ANGLES_SWAPPED), column=THETA),
     *(
         Slip("column shifted", f"The columns a and alpha are one row too {way}: a_{{{{i-1}}}} and a_i were confused.",
              roll([A, ALPHA], by), roll([A, ALPHA], -by))
@@ -99,32 +95,23 @@ SLIPS_OF_A_TABLE = [
     *(
         Slip("columns in another order", ORDER.format(typed=", ".join(COLUMNS[k] for k in order)), reorder(order), reorder(back))
         for order in permutations(range(4))
-        if order not in {(A, ALPHA, D, THETA), (D, ALPHA, A, THETA), (A, THETA, D, ALPHA)}
+        if order not in {(A, ALPHA, D, THETA), LENGTHS_SWAPPED, ANGLES_SWAPPED}
         for back in [np.argsort(order).tolist()]
     ),
 ]  # fmt: skip
 """The slips that run through a whole table."""
 
-IN_A_ROW = "Row {row}: "
-
 SLIPS_OF_A_ROW = [
-    Slip("sign of alpha", IN_A_ROW + "alpha has the wrong sign.", scale([ALPHA], -1), column=ALPHA),
-    *(Slip(f"sign of {COLUMNS[k]}", f"{IN_A_ROW}{COLUMNS[k]} has the wrong sign.", scale([k], -1), column=k) for k in (D, A, THETA)),
-    Slip("a and d swapped", f"{IN_A_ROW}a and d are swapped. {MEASURED}.", swap(A, D), column=A),
-    Slip("angles swapped", IN_A_ROW + "theta and alpha are swapped.", swap(THETA, ALPHA), column=THETA),
-]  # fmt: skip
+    *(
+        Slip(f"sign of {COLUMNS[k]}", f"Row {{row}}: {COLUMNS[k]} has the wrong sign.", scale([k], -1), column=k)
+        for k in (ALPHA, D, A, THETA)
+    ),
+    Slip("a and d swapped", f"Row {{row}}: a and d are swapped. {MEASURED}.", reorder(LENGTHS_SWAPPED), column=A),
+    Slip("angles swapped", "Row {row}: theta and alpha are swapped.", reorder(ANGLES_SWAPPED), column=THETA),
+]
 """The slips in one row, the most frequent ones first."""
 
-TWO_ENTRIES = "Rows {{row}} and {{other}}: the entries of {name} are swapped."
-
-SLIPS_OF_TWO_ROWS = [
-    Slip("rows swapped", "Rows {row} and {other} are swapped.", roll(range(4), 1)),
-    *(
-        Slip("entry one row off", TWO_ENTRIES.format(name=name), roll([k], 1), column=k)
-        for k, name in enumerate(COLUMNS)
-    ),
-]
-"""The slips between two rows; single entries are swapped between neighbouring rows only."""
+ROWS_SWAPPED = Slip("rows swapped", "Rows {row} and {other} are swapped.", roll(range(4), 1))
 
 
 @dataclass(frozen=True)
@@ -141,21 +128,11 @@ class Fault:
     column: str | None = None
 
 
-@dataclass(frozen=True, eq=False)
-class Correction:
-    """A fault and its correction: the change of the numbers, and how many edits it counts as beside them."""
-
-    fault: Fault
-    change: Change
-    surcharge: int = 0
-
-
 def slips_in_places(m: int) -> Iterator[tuple[Slip, list[int]]]:
     """Yield every slip with the rows in which it can be made, [] for the whole table, whose slips come first."""
     yield from ((slip, []) for slip in SLIPS_OF_A_TABLE)
     yield from ((slip, [row]) for row in range(m) for slip in SLIPS_OF_A_ROW)
-    for one, two in combinations(range(m), 2):
-        yield from ((slip, [one, two]) for slip in SLIPS_OF_TWO_ROWS[: None if two == one + 1 else 1])
+    yield from ((ROWS_SWAPPED, [*rows]) for rows in combinations(range(m), 2))
 
 
 def changed_in(places: list[int], change: Change) -> Change:
@@ -171,30 +148,22 @@ def changed_in(places: list[int], change: Change) -> Change:
     return in_places
 
 
-def corrections(table: DHTable, right: Array, fixed: Collection[str], half_unit: Array) -> list[Correction]:
-    """Return the corrections that leave the joint types as they are, those of the whole table first.
+def corrections(table: DHTable, right: Array, fixed: Collection[str], half_unit: Array) -> list[tuple[Fault, Change]]:
+    """Return the faults that leave the joint types as they are, each with the change that corrects it, those of the whole table first.
 
     right      (k, 4) rows of right tables of the arm, whose numbers are tried in place of wrong ones
     fixed      with "zeros" the entries that the joints change count
     half_unit  (m, 4) a number that is off by less has not enough digits, and is no wrong one
     """
     variables = [] if "zeros" in fixed else joint_entries(table.joints)
-    found = list[Correction]()
+    found = list[tuple[Fault, Change]]()
     for slip, places in slips_in_places(len(table.rows)):
-        if len(places) == 1 and (places[0], slip.column) in variables:
-            continue
-        # Every entry of a column has to be wrong in the same way: that a single entry is wrong is simpler.
-        is_sign = not places and slip.name.startswith("sign of")
-        found.append(Correction(_fault(slip, places), changed_in(places, slip.undo or slip.change), int(is_sign)))
-    return [*found, *_corrections_of_a_number(table, right, "zeros" in fixed, half_unit)]
-
-
-def _fault(slip: Slip, places: Sequence[int]) -> Fault:
-    """Describe a slip in its place."""
-    row, other = (places[0] + 1, places[-1] + 1) if places else (None, None)
-    return Fault(
-        slip.name, slip.text.format(row=row, other=other), row, None if slip.column is None else COLUMNS[slip.column]
-    )
+        if len(places) != 1 or (places[0], slip.column) not in variables:
+            row, other = (places[0] + 1, places[-1] + 1) if places else (None, None)
+            column = None if slip.column is None else COLUMNS[slip.column]
+            fault = Fault(slip.name, slip.text.format(row=row, other=other), row, column)
+            found.append((fault, changed_in(places, slip.undo or slip.change)))
+    return [*found, *_corrections_of_a_number(table, right, variables, half_unit)]
 
 
 def starting_tables(table: DHTable, joint_types: str) -> Iterator[tuple[list[Fault], DHTable]]:
@@ -214,13 +183,12 @@ def starting_tables(table: DHTable, joint_types: str) -> Iterator[tuple[list[Fau
 
 
 def _corrections_of_a_number(
-    table: DHTable, right: Array, zeros_are_fixed: bool, half_unit: Array
-) -> Iterator[Correction]:
+    table: DHTable, right: Array, variables: Sequence[tuple[int, int]], half_unit: Array
+) -> Iterator[tuple[Fault, Change]]:
     """Yield the corrections of one entry to a number that the arm suggests, or to a usual angle."""
     lengths = right[:, LENGTHS].ravel()
-    variables = joint_entries(table.joints)
     for row, column in np.ndindex(table.rows.shape):
-        if (row, column) in variables and not zeros_are_fixed:
+        if (row, column) in variables:
             continue
         values = np.concatenate([[0.0], lengths, -lengths])
         if column in ANGLES:
@@ -230,7 +198,7 @@ def _corrections_of_a_number(
         least = max(ROUNDING_ERROR, 1.05 * half_unit[row, column])
         for value in {round(value, 12) + 0.0: value for value in values.tolist()}.values():
             if abs(abs(value) - abs(table.rows[row, column])) > least:  # another sign is a slip of its own
-                yield Correction(wrong_number(table, row, column, value), _set(row, column, value), surcharge=1)
+                yield wrong_number(table, row, column, value), _set(row, column, value)
 
 
 def _set(row: int, column: int, value: float) -> Change:

@@ -14,8 +14,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial, reduce
+from functools import cache, cached_property, partial, reduce
 from itertools import accumulate
+from pathlib import Path
 from typing import Any, Literal, cast, get_args
 
 import numpy as np
@@ -33,12 +34,14 @@ from kinlib.arrays.formatting import (
 from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
-from kinlib.dh.formatting import PRINTED_DIGITS, add_variable, headings
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, MAX_LENGTH_M, is_plausible_angle, joint_entries
 from kinlib.dh.table_text import read_rows
 from kinlib.rigid.screw import screw
 
 Convention = Literal["standard", "modified"]
+
+PRINTED_DIGITS = 12
+"""A printed table is read back with this many digits."""
 
 TableRows = str | Sequence[Mapping[str, Any]] | ArrayLike
 """What a table is made from: text, dictionaries by column name, or numbers (m, 4)."""
@@ -233,29 +236,19 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         return self.changed(rows=rows, convention=convention, **ends)
 
 
-def rows_at(table: DHTable, rows: Array, q: Array) -> Array:
-    """Add sign times q to the entry that each joint changes, in the rows of a table or of others that differ in their numbers.
-
-    rows (..., m, 4), q (..., n), batch dimensions that broadcast -> (..., m, 4). The next functions take the same.
-
-    >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
-    >>> rows_at(table, table.rows, np.array([0.5]))
-    array([[1. , 0. , 2. , 0.5]])
-    """
-    moved = np.zeros((*np.broadcast_shapes(rows.shape[:-2], q.shape[:-1]), *rows.shape[-2:])) + rows
-    for i, (row, column) in enumerate(joint_entries(table.joints)):
-        moved[..., row, column] += table.signs[row] * q[..., i]
-    return moved
-
-
 def row_transforms(table: DHTable, rows: Array, q: Array) -> Array:
-    """Compute A_i or T_i of each row, (m, ..., 4, 4): base times all of them times tool is the pose of the tool.
+    """Compute A_i or T_i of each row, of a table or of others that differ in their numbers: base times all times tool is the tool's pose.
+
+    rows (..., m, 4), q (..., n), batch dimensions that broadcast -> (m, ..., 4, 4).
 
     >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
     >>> row_transforms(table, table.rows, np.array([0.0]))[0, :3, 3]
     array([1., 0., 2.])
     """
-    columns = np.moveaxis(rows_at(table, rows, q), -1, 0)
+    moved = np.zeros((*np.broadcast_shapes(rows.shape[:-2], q.shape[:-1]), *rows.shape[-2:])) + rows
+    moving, column = np.array(joint_entries(table.joints)).T
+    moved[..., moving, column] += table.signs[moving] * q
+    columns = np.moveaxis(moved, -1, 0)
     return np.moveaxis(dh_transform(*columns, convention=table.convention), -3, 0)
 
 
@@ -308,6 +301,25 @@ def format_rows(
         sign = "-" if table.signs[row] < 0 else ""
         rows[row][column] = add_variable(f"{sign}{variable(joint)}", rows[row][column])
     return rows
+
+
+def add_variable(variable: str, constant: str) -> str:
+    """Write the sum of a joint variable and a constant, which is left out if it is 0."""
+    if constant in {"0", "0°"}:
+        return variable
+    return f"{variable} - {constant[1:]}" if constant.startswith("-") else f"{variable} + {constant}"
+
+
+@cache
+def headings(convention: str) -> tuple[str, ...]:
+    """Return the headings of a table, which show its convention: row i of a modified table has a and alpha of the link before.
+
+    The page of the 3-D viewer reads them from the same file. A table to be filled in has the names of `COLUMNS`.
+    """
+    import json  # for tables that are printed; `import kinlib` loads no more than NumPy
+
+    by_convention = json.loads(Path(__file__).with_name("headings.json").read_text("utf-8"))
+    return tuple(by_convention[convention])
 
 
 def _read(given: Any, lengths: Mapping[str, float] | None, joints: str, convention: str) -> tuple[Array, str, Any, Any]:

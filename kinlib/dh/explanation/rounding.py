@@ -14,9 +14,10 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Map, fitted, nearest_maps
 from kinlib.dh.equivalence import ROUGH, equivalent
+from kinlib.dh.explanation.search import TableExplanation
 from kinlib.dh.parsing import joint_entries
-from kinlib.dh.slips import ANGLES, LENGTHS
-from kinlib.dh.table import DHTable, rows_at
+from kinlib.dh.slips import ANGLES, LENGTHS, wrong_number
+from kinlib.dh.table import DHTable
 from kinlib.rigid.angles import wrap_angle
 
 ALL_DECIMALS = 12
@@ -52,11 +53,11 @@ def typed_half_units(rows: Array) -> tuple[Array, str]:
     return np.maximum(half, np.spacing(np.abs(rows)) / 2), ", ".join(words)
 
 
-def with_right_angles(table: DHTable, half_unit: Array) -> DHTable:
+def with_right_angles(table: DHTable) -> DHTable:
     """Return a table whose angles are exactly the multiples of 45 degrees that they have with at least three digits, such as 1.57."""
     right = np.round(table.rows / (np.pi / 4)) * (np.pi / 4)
     off = np.abs(right - table.rows)
-    is_near = (off > 1e-12) & (off <= np.minimum(half_unit, MAX_TYPED_PI_ERROR))
+    is_near = (off > 1e-12) & (off <= np.minimum(typed_half_units(table.rows)[0], MAX_TYPED_PI_ERROR))
     return table.changed(rows=np.where(is_near & (right != 0) & (np.arange(4) % 2 == 1), right, table.rows))
 
 
@@ -83,14 +84,15 @@ def rounding_effect(table: DHTable, half_unit: Array) -> float:
     return float(half_unit[:, LENGTHS].sum() + max(1.0, reach) * half_unit[:, ANGLES].sum())
 
 
-def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: Array, noise: float) -> DHTable | None:
-    """Find the table with few other numbers that describes the arm, beginning with the maps that fit roughly; None if none is found."""
+def explain_by_numbers(
+    table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: Array, noise: float
+) -> list[TableExplanation]:
+    """Find few other numbers with which a table describes the arm, the largest difference first; [] if none are found."""
     if table.joints.replace("F", "") != arm.joint_types:
-        return None
+        return []
     tolerance, half = max(noise, 1e-6), np.maximum(half_unit, 1e-6)
     is_free = np.zeros(half.shape, dtype=bool)
-    for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
-        is_free[entry] = True
+    is_free[tuple(np.transpose(joint_entries(table.joints)))] = "zeros" not in fixed
     rough = sorted(nearest_maps(table.to_chain(), arm, fixed, ROUGH), key=lambda each: each.difference)[:2]
     for start in [Map(np.ones(arm.n), np.zeros(arm.n)), *rough]:
         change = _few_changes(table, arm, start, fixed, np.where(is_free, 1.0, half))
@@ -99,8 +101,11 @@ def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: 
         right[:, ANGLES] = wrap_angle(right[:, ANGLES])  # a fit may have made full turns
         nearest = table.changed(rows=np.where(is_changed, right, table.rows))
         if equivalent(nearest, arm, fixed=fixed, tolerance=tolerance).verdict == "same":
-            return nearest
-    return None
+            off = np.abs(nearest.rows - table.rows)
+            places = sorted(np.argwhere(off > 0).tolist(), key=lambda place: -off[tuple(place)])
+            faults = [wrong_number(table, row, column, float(right[row, column])) for row, column in places]
+            return [TableExplanation(faults, nearest, 2 * len(faults))]
+    return []
 
 
 def _few_changes(table: DHTable, arm: Chain, start: Map, fixed: frozenset[str], unit: Array) -> Array:
@@ -114,7 +119,10 @@ def _few_changes(table: DHTable, arm: Chain, start: Map, fixed: frozenset[str], 
     axes = np.eye(6)[[3, 0, 5, 2]]  # of a, alpha, d, theta in the frame that the row begins with
     motions = Chain(np.tile(axes[order], (len(table.rows), 1)), np.eye(4))
     q = random_configurations(arm.n, COMPARED_CONFIGURATIONS)
-    values = rows_at(table, table.rows, start.signs * q + start.offsets)[..., order].reshape(len(q), -1)
+    values = np.tile(table.rows, (len(q), 1, 1))
+    row, column = np.transpose(joint_entries(table.joints))
+    values[:, row, column] += table.signs[row] * (start.signs * q + start.offsets)
+    values = values[..., order].reshape(len(q), -1)
     X, Y, target = start.base @ table.base, table.tool @ start.tool, arm.fk(q)
     base, tool = (np.full(6, float(name not in fixed)) for name in ("base", "tool"))
     # Of parallel axes, any d can change; it is the one that is given.

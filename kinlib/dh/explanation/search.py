@@ -1,8 +1,8 @@
 """Search for the slips that explain a table: a list of candidates, a filter by invariants, a price, and a full comparison.
 
 All slips of `kinlib.dh.slips` are corrected in all places at once, as arrays of rows. Most corrections are refuted by the invariants
-of the axes, and only the rest is compared with the arm. The price of a correction is the number of entries that it edits; then the
-numbers that it invents, because some number explains almost anything; then how large and unusual the change is.
+of the axes, and only the rest is compared with the arm. The price of a correction is the number of entries that it edits, in which a
+number that it invents counts twice, because some number explains almost anything; then how large and unusual the change is.
 """
 
 from collections.abc import Collection, Sequence
@@ -30,8 +30,8 @@ FILTER_TOL_FACTOR = 3
 
 MAX_PAIRS, MAX_COMPARED = 20_000, 60
 
-Price = tuple[int, int, float]
-"""The edited entries, the invented numbers, and how large and unusual the change is."""
+CHOICE_FAULTS = {"base": "wrong base", "tool": "wrong tool", "zeros": "another zero", "signs": "sign of a joint value"}
+"""The faults that are no mistakes where the choices of these names are free."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,13 +41,16 @@ class TableExplanation:
     faults      the mistakes
     corrected   the table without them, which describes the arm up to the choices that are not fixed
     edits       how many entries they change; a pose or an invented number counts as one more
-    is_a_choice whether the table is right up to choices that are fixed, and the faults are these choices
     """
 
     faults: Sequence[Fault]
     corrected: DHTable
     edits: int
-    is_a_choice: bool = False
+
+    @property
+    def is_a_choice(self) -> bool:
+        """Whether the table is right up to choices that are fixed, and the faults are these choices."""
+        return {fault.name for fault in self.faults} <= {*CHOICE_FAULTS.values()}
 
     def says_as_much(self, other: Self) -> bool:
         """Whether another explanation leads to the same table, up to full turns."""
@@ -59,39 +62,32 @@ class TableExplanation:
 
 
 def explain_by_slips(  # noqa: PLR0917
-    table: DHTable,
-    reference: Chain | DHTable,
-    fixed: frozenset[str],
-    tolerance: float,
-    count: int,
-    half_unit: Array,
+    table: DHTable, reference: Chain | DHTable, fixed: frozenset[str], tolerance: float, count: int, half_unit: Array
 ) -> list[TableExplanation]:
     """Return the explanations of a table by so many slips with the fewest edits, those with the smallest price first.
 
     half_unit  (m, 4) how far the numbers may be off by their digits
     """
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
-    found = list[tuple[Price, TableExplanation]]()
+    candidates = list[tuple[tuple[int, float], DHTable, list[Fault], Array]]()
     for faults, start in starting_tables(table, arm.joint_types):
-        if len(faults) > count:
-            continue
         right = assign_frames(arm, convention=start.convention).table
         if isinstance(reference, DHTable) and len(reference.rows) == len(table.rows):
             right = reference.converted(start.convention)
-        least = None
-        for price, slips, rows in _candidates(start, arm, right.rows, fixed, tolerance, count - len(faults), half_unit):
-            if least is not None and price[0] > least:
-                break
-            with suppress(ValueError):  # for example an angle of many turns, which no table has
-                corrected = start.changed(rows=rows)
-                if equivalent(corrected, arm, fixed=fixed, tolerance=tolerance).verdict == "same":
-                    least = price[0]
-                    edits = price[0] + len(faults)
-                    each = TableExplanation([*faults, *slips], corrected, edits)
-                    if not any(each.says_as_much(other) for _, other in found):
-                        found.append(((edits, *price[1:]), each))
-    fewest = min((price[0] for price, _ in found), default=0)
-    return [each for price, each in sorted(found, key=lambda pair: pair[0]) if price[0] == fewest]
+        for (edits, size), slips, rows in _candidates(
+            start, arm, right.rows, fixed, tolerance, count - len(faults), half_unit
+        ):
+            candidates.append(((edits + len(faults), size), start, [*faults, *slips], rows))
+    found = list[TableExplanation]()
+    for (edits, _), start, faults, rows in sorted(candidates, key=lambda each: each[0]):
+        if found and edits > found[0].edits:
+            break
+        with suppress(ValueError):  # for example an angle of many turns, which no table has
+            each = TableExplanation(faults, start.changed(rows=rows), edits)
+            is_same = equivalent(each.corrected, arm, fixed=fixed, tolerance=tolerance).verdict == "same"
+            if is_same and not any(each.says_as_much(other) for other in found):
+                found.append(each)
+    return found
 
 
 def explain_by_choices(table: DHTable, found: Equivalence, names: Collection[str] = CHOICES) -> TableExplanation:
@@ -122,49 +118,51 @@ def explain_by_choices(table: DHTable, found: Equivalence, names: Collection[str
             what = "is missing" if is_missing else "is inverted" if is_inverted else "is wrong"
             faults.append(Fault(f"wrong {end}", f"{name} {what}: it should be {describe_pose(T, accuracy)}."))
     corrected = table.changed(rows=rows, signs=signs, **ends)
-    return TableExplanation(faults, corrected, len(faults) + len(ends), is_a_choice=True)
+    return TableExplanation(faults, corrected, len(faults) + len(ends))
 
 
 def _candidates(  # noqa: PLR0917
     table: DHTable, arm: Chain, right: Array, fixed: frozenset[str], tolerance: float, count: int, half_unit: Array
-) -> list[tuple[Price, list[Fault], Array]]:
+) -> list[tuple[tuple[int, float], list[Fault], Array]]:
     """Return the rows that so many corrections of a table with the joint types of the arm lead to, the cheapest first.
 
     Invariants decide what can lead to the arm, and if nothing is free, the poses of a few q. A correction of a row comes after one of
     the whole table, as `corrections` are sorted.
     """
-    if not count:
-        return [((0, 0, 0.0), [], table.rows)]
+    if count <= 0:
+        return [((0, 0.0), [], table.rows)] * (count == 0)
     known = [
         each
         for each in corrections(table, right, fixed, half_unit)
-        if np.abs(each.change(table.rows) - table.rows).max() > 1e-12
+        if np.abs(each[1](table.rows) - table.rows).max() > 1e-12
     ]
-    rows = np.array([each.change(table.rows) for each in known])
-    invents = np.array([each.fault.name in NUMBERS for each in known], dtype=int)
-    edits = (np.abs(rows - table.rows) > 1e-12).sum(axis=(1, 2)) + [each.surcharge for each in known]
+    rows, start = np.array([change(table.rows) for _, change in known]), table.rows
+    invents = np.array([fault.name in NUMBERS for fault, _ in known])
+    # Every entry of a column has to be wrong in the same way: that a single entry is wrong is simpler.
+    is_of_all = np.array([fault.row is None and fault.name.startswith("sign of") for fault, _ in known])
+    edits = (np.abs(rows - start) > 1e-12).sum(axis=(1, 2)) + (invents | is_of_all)
     invariants = AxisInvariants(arm, FILTER_TOL_FACTOR * tolerance)
-    places, start = np.arange(len(known))[:, None], table.rows
+    places = np.arange(len(known))[:, None]
     if count > 1:
         places = _pairs(invariants, table, rows)
         start = rows[places[:, 0]]
         rows = start.copy()
         for place in np.unique(places[:, 1]):
             is_here = places[:, 1] == place
-            rows[is_here] = known[place].change(rows[is_here])
+            rows[is_here] = known[place][1](rows[is_here])
     agree = invariants.agree(invariants.of(*joint_axes(table, rows)), "signs" in fixed)
     # A number that differs from the one after the first correction by no more than its digits is no wrong one.
-    agree &= (invents[places[:, -1]] == 0) | (np.abs(rows - start) > 1.05 * half_unit).any(axis=(1, 2))
+    agree &= ~invents[places[:, -1]] | (np.abs(rows - start) > 1.05 * half_unit).any(axis=(1, 2))
     if fixed >= {*CHOICES} and agree.any():
         q = random_configurations(arm.n, 4)
         links = row_transforms(table, rows[agree, None], q)
         off = reduce(np.matmul, [*links, table.tool], table.base) - arm.fk(q)
         agree[agree] = np.abs(off).max(axis=(1, 2, 3)) <= FILTER_TOL_FACTOR * tolerance
-    numbers, edits = invents[places].sum(axis=1), edits[places].sum(axis=1)
-    sizes = np.where(numbers > 0, np.abs(rows - table.rows).sum(axis=(1, 2)), 0.0)
+    edits = edits[places].sum(axis=1)
+    sizes = np.where(invents[places].any(axis=1), np.abs(rows - table.rows).sum(axis=(1, 2)), 0.0)
     sizes += 1e-3 * (rows[:, :, [0, 2]] < 0).sum(axis=(1, 2))  # in most tables the lengths have one sign
-    order = sorted((int(edits[k]), int(numbers[k]), round(float(sizes[k]), 9), k) for k in np.flatnonzero(agree))
-    return [((e, i, size), [known[p].fault for p in places[k]], rows[k]) for e, i, size, k in order][:MAX_COMPARED]
+    order = sorted((int(edits[k]), round(float(sizes[k]), 9), k) for k in np.flatnonzero(agree))
+    return [((e, size), [known[p][0] for p in places[k]], rows[k]) for e, size, k in order][:MAX_COMPARED]
 
 
 def _pairs(invariants: AxisInvariants, table: DHTable, rows: Array) -> NDArray[np.intp]:

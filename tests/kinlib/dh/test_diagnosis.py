@@ -125,7 +125,6 @@ def test_what_nothing_explains_is_told_row_by_row_the_largest_difference_first()
         *((0, 90, 0.1333, 0), (0, -90, 0.0997, 0), (0, 0, 0.0996, 0)),
     )
     found = diagnose(ur5e, UR5, CHOICES)
-    assert (found.verdict, found.corrected, [*found.faults]) == ("wrong", None, [])
     lines = str(found).splitlines()
     assert lines[0].startswith("No known mistake was found that explains this table.")
     assert [line.partition(";")[0] for line in lines[2:]] == [
@@ -134,7 +133,7 @@ def test_what_nothing_explains_is_told_row_by_row_the_largest_difference_first()
         "Row 6: d should be 0.0823",
         "Row 5: d should be 0.09465",
     ]
-    np.testing.assert_allclose(found.nearest.fk(np.ones(6)), UR5.fk(np.ones(6)), atol=1e-4)
+    np.testing.assert_allclose(found.corrected.fk(np.ones(6)), UR5.fk(np.ones(6)), atol=1e-4)
 
 
 def test_what_cannot_be_compared_is_refused():
