@@ -86,12 +86,9 @@ class AxisInvariants:
         return violated
 
     def agree(self, values: Array, signs_are_fixed: bool = False) -> Booleans:
-        """Return for which mechanisms (N,) all invariants (N, k) agree for one choice of the joint signs."""
-        if signs_are_fixed:
-            return np.asarray(np.all(np.abs(values - self._values) <= self._tolerances, axis=-1))
-        possible = np.all(~self.violated(values), axis=-1)
-        found = [each and len(self.sign_patterns(own)[0]) > 0 for each, own in zip(possible, values, strict=True)]
-        return np.array(found, dtype=bool)
+        """Return for which mechanisms (N,) all invariants (N, k) agree; each for some choice of signs, unless these are fixed."""
+        off = np.abs(values - self._values) > self._tolerances if signs_are_fixed else self.violated(values)
+        return np.asarray(~off.any(axis=-1))
 
     def sign_patterns(self, values: Array) -> tuple[Array, Array]:
         """Return all signs of the joints (P, n) for which all invariants (k,) agree, and how far they do, at most 1 (P,)."""
@@ -104,8 +101,8 @@ def _dot(u: Array, v: Array) -> Array:
     return products
 
 
-COMPARED_CONFIGURATIONS = 16
-"""At how many random configurations chains are compared."""
+COMPARED_CONFIGURATIONS, MAX_STARTS = 16, 8
+"""At how many random configurations chains are compared, and with how many choices of the signs a search for maps begins."""
 
 SEARCHED_AS_PARALLEL_RAD = 2e-5
 """Axes at a smaller angle are searched as parallel ones."""
@@ -131,7 +128,7 @@ class Map:
 def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> list[Map]:
     """Find maps from one chain to another with the same joint types whose axes agree to within `loose`, in metres and radians.
 
-    The search begins with at most four choices of the signs, those with which the axes agree best and the fewest choices change.
+    The search begins with the choices of the signs with which the axes agree best and the fewest choices change.
     """
     q = random_configurations(one.n, COMPARED_CONFIGURATIONS)
     invariants, target = AxisInvariants(other, 100 * loose), other.fk(q)
@@ -151,13 +148,15 @@ def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float) 
     is_free[6] &= "base" in fixed
     is_free[-7] &= "tool" in fixed
     found = list[Map]()
-    for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros, off > 0.01)) if admitted[k]][:4]:
+    for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros, off > 0.01)) if admitted[k]][:MAX_STARTS]:
         X = homogeneous(R[k], np.zeros(3))
         Y = np.eye(4) if "tool" in fixed else inverse(X @ one.fk(offsets[k])) @ other.home
         start = Map(s[k], offsets[k], X, Y).measured(one, target)
         X, change, Y = fitted(one, s[k] * q + offsets[k], X, Y, target, lambda _: is_free, steps=7)
         moved = replace(start, offsets=offsets[k] + change, base=X, tool=Y).measured(one, target)
         found.append(min(moved, start, key=lambda each: each.difference))
+        if len(found) >= 4 and min(each.difference for each in found) <= loose:  # of several, one is described best
+            break
     return found
 
 

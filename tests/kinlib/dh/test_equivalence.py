@@ -136,3 +136,12 @@ def test_what_is_undecided_is_neither_true_nor_false():
     assert "nearly parallel" in found.reason
     with pytest.raises(ValueError, match=r"must be decided to be used as True or False\. The poses differ by"):
         bool(found)
+
+
+@pytest.mark.parametrize("seed", [11, 12, 21, 22])
+def test_signs_of_a_wrist_are_found_whatever_the_zeros(seed):
+    """The Stanford arm: axes at right angles that intersect leave many choices of the signs."""
+    rows = [(0, -90, 0.412, 0), (0, 90, 0.154, 0), (0, 0, 0, -90), (0, -90, 0, 0), (0, 90, 0, 0), (0, 0, 0.263, 0)]
+    table = DHTable(np.array(rows) * (1, np.pi / 180, 1, np.pi / 180), convention="standard", joints="RRPRRR")
+    other = with_choices(np.random.default_rng(seed), table.to_chain(), {"base", "zeros", "signs"})
+    assert equivalent(table, other, fixed=["tool"])
