@@ -247,10 +247,8 @@ def _steps(found: FrameAssignment) -> Iterator[AssignmentStep]:
     yield AssignmentStep("first", 0, text, others)
     for pair, normal in enumerate(normals):
         yield from _explain_link(frames[pair : pair + 2], pair, normal, standard)
-    n, place = (
-        chain.n,
-        f"O_{chain.n} is at {format_vector(frames[-1, :3, 3])}, x_{chain.n} along {format_vector(frames[-1, :3, 0])}.",
-    )
+    n, T = chain.n, frames[-1]
+    place = f"O_{n} is at {format_vector(T[:3, 3])}, x_{n} along {format_vector(T[:3, 0])}."
     text = f"There is no next axis: z_{n} is parallel to z_{n - 1}, and the frame is as near the tool as that allows. {place}"
     others = "Any frame whose x intersects z_{n-1} at a right angle; the tool transform compensates for it."
     if not standard:

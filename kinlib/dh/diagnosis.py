@@ -89,9 +89,8 @@ class Diagnosis:
             return "\n".join(self._agreement())
         lines = self._told_mistakes()
         if self.verdict == "undecided":
-            cause = (
-                f"its numbers may only be rounded ({self.rounding})" if self.rounding else "axes are nearly parallel"
-            )
+            cause = f"its numbers may only be rounded ({self.rounding})" * bool(self.rounding)
+            cause = cause or "axes are nearly parallel"
             lines = [f"Whether this table describes the arm cannot be decided: {cause}.", self.difference]
         return "\n".join([*lines, self.note]).rstrip()
 

@@ -28,7 +28,7 @@ from kinlib.rigid.angles import wrap_angle
 FILTER_TOL_FACTOR = 3
 """How many times the tolerance an invariant may be off before a correction is refuted by it."""
 
-MAX_PAIRS, MAX_COMPARED = 20_000, 60
+MAX_PAIRS, MAX_COMPARED = 20_000, 100
 
 CHOICE_FAULTS = {"base": "wrong base", "tool": "wrong tool", "zeros": "another zero", "signs": "sign of a joint value"}
 """The faults that are no mistakes where the choices of these names are free."""
