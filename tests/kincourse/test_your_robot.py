@@ -183,6 +183,16 @@ def test_a_mistake_beside_the_choices_that_are_enough_is_no_explanation():
     assert [[fault.name for fault in each.faults] for each in found.explanations] == [["wrong base", "wrong tool"]]
 
 
+def test_a_file_in_millimetres_is_named_and_no_fit_leaves_the_range_of_a_table():
+    table, arm = KNOWN["UR5e"][0], KNOWN["UR5e"][0].to_chain()
+    large = kl.Chain(arm.screws * ([1] * 3 + [1000] * 3), arm.home * ([[1, 1, 1, 1000]] * 3 + [[1] * 4]))
+    said = "The lengths are a thousandth of those of the arm. Is the arm in millimetres?"
+    assert told(examine(large, table)) == [[said]]
+    assert examine(large, table.changed(rows=table.rows.round(3))).sentence.startswith(
+        "For the same q the tool differs"
+    )
+
+
 def test_a_base_has_the_digits_to_which_it_was_found():
     in_millimetres = KNOWN["UR5"][0].changed(rows=KNOWN["UR5"][0].rows.round(3))
     found = examine(KNOWN["UR5"][0].changed(base=kl.exp([0, 0, 0, 0.0558, 0, 0])), in_millimetres)

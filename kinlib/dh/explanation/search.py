@@ -99,6 +99,8 @@ def explain_by_choices(table: DHTable, found: Equivalence, names: Collection[str
         name, letter, place = COLUMNS[column], table.joints[row], f"joint {joint + 1}"
         offset = float(table.signs[row] * found.offsets[joint]) * ("zeros" in names)
         rows[row, column] += offset
+        if letter == "R" and abs(rows[row, column]) > 2 * np.pi:  # a fit may have made full turns
+            rows[row, column] = wrap_angle(rows[row, column])
         if text := format_offset(letter, offset):
             base = " (or rotate the base by as much about axis 1)" if joint == 0 and letter == "R" else ""
             faults.append(Fault("another zero", f"{place}: add {text} to {name}{base}.", row + 1, name))
