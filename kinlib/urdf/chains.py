@@ -12,7 +12,6 @@ A fixed joint contributes a T_i and no screw. Meshes, masses and colours do not 
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
 
 import numpy as np
 
@@ -32,11 +31,13 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
 
     Revolute, continuous and prismatic joints become screws in the base frame, and fixed joints are merged. The chain keeps
     the names and the limits of the joints, and its points are the joint origins. Axes are normalized. The path may go up the
-    tree and down again: the base need not be an ancestor of the tip.
+    tree and down again: the base need not be an ancestor of the tip. A mimic joint that is +-1 times an independent joint, plus an
+    offset, takes the name and the limits of that joint.
 
     Raises ValueError, with the element and its line, if the file is not XML, not a URDF or not a tree, if a number is not
-    valid, if several links could be the tip, and if a joint on the path has no chain, as `Tree.chain` says. To use several chains
-    of a file or the frames of its links, or to show its meshes, read it with `Tree.from_urdf(file)`. No other file is opened.
+    valid, if several links could be the tip, and if between base and tip no joint moves, one is planar or floating, or one mimics a
+    joint with another multiplier, or a joint that another one follows, too. To use several chains of a file or the frames of its
+    links, or to show its meshes, read it with `Tree.from_urdf(file)`. No other file is opened.
 
     It also refuses what urdfdom, the parser of ROS, reads: a second parent that closes a loop, lower > upper, an axis of length 0,
     and an rpy in degrees; and it does not need effort and velocity.
@@ -78,30 +79,27 @@ def to_urdf(chain: Chain) -> str:
     links = ['"base_link"', *(f'"link_{i + 1}"' for i in range(chain.n)), '"tool"']
     limits = np.full((chain.n, 2), (-np.inf, np.inf)) if chain.limits is None else chain.limits
     steps = np.diff([np.zeros(3), *chain.joint_points, chain.home[:3, 3]], axis=0)
-    parts = [f"<robot name={quoteattr(chain.name)}>", *(f"  <link name={link}/>" for link in links)]
-    rows = zip(names, chain.joint_types, chain.lines.axis, limits, steps[:-1], strict=True)
-    for i, (name, letter, axis, pair, step) in enumerate(rows):
-        kind = "prismatic" if letter == "P" else "revolute" if np.isfinite(pair).any() else "continuous"
-        inside = [f'    <axis xyz="{_numbers(*axis)}"/>']
-        if kind != "continuous":
-            lower, upper = np.clip(pair, -MAX_NUMBER, MAX_NUMBER)
-            inside += [f'    <limit lower="{_numbers(lower)}" upper="{_numbers(upper)}" effort="1" velocity="1"/>']
-        parts += _joint(name, kind, links[i : i + 2], f'xyz="{_numbers(*step)}"', inside)
-    rpy = _numbers(*roll_pitch_yaw(chain.home[:3, :3]))
-    weld = next(name for name in ('"weld"', *(f'"weld_{i}"' for i in range(chain.n))) if name not in names)
-    parts += _joint(weld, "fixed", links[-2:], f'xyz="{_numbers(*steps[-1])}" rpy="{rpy}"', [])
-    return "\n".join([*parts, "</robot>\n"])
-
-
-def _joint(name: str, kind: str, links: Sequence[str], origin: str, inside: Sequence[str]) -> list[str]:
-    """Write a joint in lines: between a parent and a child link, names in quotes, with its origin, and what else is inside."""
-    return [
-        f'  <joint name={name} type="{kind}">',
-        f"    <parent link={links[0]}/> <child link={links[1]}/>",
-        f"    <origin {origin}/>",
-        *inside,
-        "  </joint>",
+    names.append(next(name for name in ('"weld"', *(f'"weld_{i}"' for i in range(chain.n))) if name not in names))
+    origins = [f'xyz="{_numbers(*step)}"' for step in steps]
+    origins[-1] += f' rpy="{_numbers(*roll_pitch_yaw(chain.home[:3, :3]))}"'
+    kinds = [
+        "prismatic" if letter == "P" else "revolute" if np.isfinite(pair).any() else "continuous"
+        for letter, pair in zip(chain.joint_types, limits, strict=True)
     ]
+    parts = [f"<robot name={quoteattr(chain.name)}>", *(f"  <link name={link}/>" for link in links)]
+    for i, kind in enumerate([*kinds, "fixed"]):
+        parts += [
+            f'  <joint name={names[i]} type="{kind}">',
+            f"    <parent link={links[i]}/> <child link={links[i + 1]}/>",
+            f"    <origin {origins[i]}/>",
+        ]
+        if kind != "fixed":
+            parts.append(f'    <axis xyz="{_numbers(*chain.lines.axis[i])}"/>')
+        if kind in {"revolute", "prismatic"}:
+            lower, upper = map(_numbers, np.clip(limits[i], -MAX_NUMBER, MAX_NUMBER))
+            parts.append(f'    <limit lower="{lower}" upper="{upper}" effort="1" velocity="1"/>')
+        parts.append("  </joint>")
+    return "\n".join([*parts, "</robot>\n"])
 
 
 def _numbers(*values: float) -> str:

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kinlib.arrays import validation
+from kinlib.arrays.formatting import format_number
 from kinlib.arrays.validation import Array, suggest_name
 from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
@@ -29,6 +30,11 @@ class Coupling(NamedTuple):
     joint: str
     multiplier: float
     offset: float
+
+    def __str__(self) -> str:
+        factor = {1.0: "", -1.0: "-"}.get(self.multiplier, f"{format_number(self.multiplier)} ")
+        offset = f" {'-' if self.offset < 0 else '+'} {format_number(abs(self.offset))}" if self.offset else ""
+        return f"{factor}{self.joint}{offset}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +96,16 @@ def read_tree(robot: Element) -> tuple[dict[str, Element], dict[str, UrdfJoint]]
                 f"link {joint.child} is already the child of {other.name} in line {other.element.line}; a URDF must have no loops."
             )
         parent_joints[joint.child] = joint
-    _check_one_tree(links, parent_joints)
+    roots = [link for link in links if link not in parent_joints]
+    connected, found = set[str](), set(roots[:1])
+    while found:
+        connected |= found
+        found = {child for child, joint in parent_joints.items() if joint.parent in found} - connected
+    if missing := [link for link in links if link not in connected]:
+        raise links[missing[0]].error(
+            "the links must form one tree, from one root that is not the child of a joint; from "
+            f"{roots[0] if roots else 'no link'} no joint leads to {', '.join(missing[:12])}. Which joint is missing, or in a circle?"
+        )
     return links, parent_joints
 
 
@@ -145,10 +160,10 @@ def origin_of(parent: Element) -> Array:
     """Return the pose (4, 4) in the <origin> of a joint or a visual. Raises ValueError, with element and line, if it is not valid."""
     if (element := parent.child("origin")) is None:
         return np.eye(4)
-    values = {name: element.numbers(name, 3) for name in ("xyz", "rpy") if name in element.attributes}
-    if abs(largest := max(values.get("rpy", [0.0]), key=abs)) > 4 * np.pi:
+    xyz, rpy = (element.numbers(name, 3, default=[0.0] * 3) for name in ("xyz", "rpy"))
+    if abs(largest := max(rpy, key=abs)) > 4 * np.pi:
         raise element.error(f"rpy must be between -4 pi and 4 pi rad; got {largest:g} rad. Is it in degrees?")
-    return origin(**values)
+    return origin(xyz, rpy)
 
 
 def _axis(joint: Element) -> Array:
@@ -164,7 +179,7 @@ def _axis(joint: Element) -> Array:
 def _limits(joint: Element, kind: str) -> tuple[float, float]:
     if (element := joint.child("limit")) is None:
         raise joint.error(f"a {kind} joint must have a <limit lower=... upper=...>; it has none. Is it continuous?")
-    lower, upper = (element.numbers(name, 1)[0] if name in element.attributes else 0.0 for name in ("lower", "upper"))
+    lower, upper = (element.numbers(name, 1, default=[0.0])[0] for name in ("lower", "upper"))
     if lower > upper:
         raise element.error(f"lower must be at most upper; got {lower:g} and {upper:g}. Are they interchanged?")
     return (lower if lower > -MAX_NUMBER else -np.inf), (upper if upper < MAX_NUMBER else np.inf)
@@ -174,19 +189,5 @@ def _mimic(joint: Element, kind: str) -> Coupling | None:
     # A fixed joint has no value that could follow another one. urdfdom and Pinocchio ignore its <mimic>, too.
     if kind not in MOVING_TYPES or (element := joint.child("mimic")) is None:
         return None
-    defaults = {"multiplier": 1.0, "offset": 0.0}
-    values = {name: element.numbers(name, 1)[0] if name in element.attributes else x for name, x in defaults.items()}
-    return Coupling(element.text("joint"), **values)
-
-
-def _check_one_tree(links: Mapping[str, Element], parent_joints: Mapping[str, UrdfJoint]) -> None:
-    roots = [link for link in links if link not in parent_joints]
-    connected, found = set[str](), set(roots[:1])
-    while found:
-        connected |= found
-        found = {child for child, joint in parent_joints.items() if joint.parent in found} - connected
-    if missing := [link for link in links if link not in connected]:
-        raise links[missing[0]].error(
-            "the links must form one tree, from one root that is not the child of a joint; from "
-            f"{roots[0] if roots else 'no link'} no joint leads to {', '.join(missing[:12])}. Which joint is missing, or in a circle?"
-        )
+    multiplier, offset = element.numbers("multiplier", 1, default=[1.0]), element.numbers("offset", 1, default=[0.0])
+    return Coupling(element.text("joint"), *multiplier, *offset)

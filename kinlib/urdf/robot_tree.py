@@ -1,8 +1,4 @@
-"""A whole URDF: the poses of all its links, chains from any link to any other, and mimic joints.
-
-A mimic joint has no value of its own, because it follows another joint: q_mimic = multiplier q_other + offset. So q has only the
-values of the independent joints, and those of all moving joints follow from it.
-"""
+"""A whole URDF: the poses of all its links, chains from any link to any other, and mimic joints."""
 
 from __future__ import annotations
 
@@ -17,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
-from kinlib.arrays.formatting import aligned_table, format_number, html_table
+from kinlib.arrays.formatting import aligned_table, html_table
 from kinlib.arrays.validation import Array, JointValues, TakesLimitedValues, suggest_name
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import exp, inverse, moved_screw
@@ -46,9 +42,9 @@ class Tree(TakesLimitedValues):
     parent_joints  for the name of each link but the root, the joint whose child it is, in the order of the file
     folder         where its file is, if it was read from one: `kl.show` looks there for meshes
 
-    n joints are independent: they move, and they do not mimic another joint. They are in the order of the file. Planar and floating
-    joints have no single value: see `poses`. Wherever q is an argument, it may also be a mapping from the name of each independent
-    joint to its value.
+    q has the values of the n independent joints, in the order of the file, or it is a mapping from their names to their values.
+    A mimic joint has no value of its own, because it follows another joint: q_mimic = multiplier q_other + offset. Planar and
+    floating joints have no single value: see `poses`.
 
     >>> tree = Tree.from_urdf('''<robot name="gripper"> <link name="palm"/> <link name="left"/> <link name="right"/>
     ...   <joint name="open" type="continuous"> <parent link="palm"/> <child link="left"/> </joint>
@@ -102,21 +98,13 @@ class Tree(TakesLimitedValues):
         return ", ".join([self.name, *(f"{count} {word}{'s'[: count != 1]}" for count, word in counts)])
 
     def _rows(self, indent: str) -> Iterator[list[str]]:
+        values = {name: f"q{i}" for i, name in enumerate(self.joint_names, start=1)}
         for depth, link, _ in self._descendants(self.root):
             if (joint := self.parent_joints.get(link)) is None:
                 yield [link, "", "", ""]
             else:
-                yield [indent * depth + link, joint.name, joint.type, self._value(joint)]
-
-    def _value(self, joint: UrdfJoint) -> str:
-        """The value of a joint as the file has it: a number of q, or a formula in another joint."""
-        if joint.name in self._numbers:
-            return f"q{self._numbers[joint.name] + 1}"
-        if joint.mimic is None:
-            return "a pose" if joint.moves else ""
-        other, multiplier, offset = joint.mimic
-        factor = {1.0: "", -1.0: "-"}.get(multiplier, f"{format_number(multiplier)} ")
-        return f"{factor}{other}" + (f" {'-' if offset < 0 else '+'} {format_number(abs(offset))}" if offset else "")
+                value = joint.mimic or values.get(joint.name, "a pose" if joint.moves else "")
+                yield [indent * depth + link, joint.name, joint.type, str(value)]
 
     @property
     def root(self) -> str:
@@ -158,10 +146,6 @@ class Tree(TakesLimitedValues):
     def _moving_joints(self) -> dict[str, UrdfJoint]:
         return {joint.name: joint for joint in self.parent_joints.values() if joint.type in MOVING_TYPES}
 
-    @cached_property
-    def _numbers(self) -> dict[str, int]:
-        return {name: i for i, name in enumerate(self.joint_names)}
-
     def poses(
         self, q: JointValues, base: ArrayLike | None = None, joint_poses: Mapping[str, ArrayLike] | None = None
     ) -> dict[str, Array]:
@@ -184,38 +168,27 @@ class Tree(TakesLimitedValues):
         ((10, 4, 4), True)
         """
         q = self.in_order(q)
-        steps = {}
+        values = dict(zip(self.joint_names, np.moveaxis(q, -1, 0), strict=True))
+        motions = self._validate_joint_poses(joint_poses or {})
         for name, (driver, multiplier, offset) in self.couplings.items():
-            moving, value = self._moving_joints[name], multiplier * q[..., self._numbers[driver], None] + offset
-            steps[name] = moving.origin @ exp(moving.screw * value)
+            motions[name] = exp(self._moving_joints[name].screw * (multiplier * values[driver][..., None] + offset))
         root = np.eye(4) if base is None else validation.poses(base, "base")
-        free = self._validate_joint_poses(joint_poses or {})
-        shape = np.broadcast_shapes(q.shape[:-1], root.shape[:-2], *(T.shape[:-2] for T in free.values()))
+        shape = np.broadcast_shapes(q.shape[:-1], root.shape[:-2], *(T.shape[:-2] for T in motions.values()))
         found = {self.root: np.broadcast_to(root, (*shape, 4, 4)).copy()}
         for _, link, _ in self._descendants(self.root):
             if joint := self.parent_joints.get(link):
-                step = joint.origin @ free[joint.name] if joint.name in free else steps.get(joint.name, joint.origin)
-                found[link] = found[joint.parent] @ step
+                found[link] = found[joint.parent] @ (joint.origin @ motions.get(joint.name, np.eye(4)))
         return {link: found[link] for link in self.links}
 
     def chain(self, base: str | None = None, tip: str | None = None) -> Chain:
-        """Build a chain from the joints on the path from one link to another: up the tree, and down again.
-
-        base  the link whose frame is {s}; by default the root
-        tip   the link whose frame is {b}; by default `default_tip(base)`
-
-        A mimic joint that is +-1 times an independent joint, plus an offset, takes the name and the limits of that joint.
-
-        Raises ValueError for a name that is no link, if several links could be the tip, if no joint moves between base and tip, if
-        a joint between them is planar or floating, and if two of them follow the same joint, or one has another multiplier.
-        Source: the URDF specification, "link" and "joint".
+        """Build a chain from the joints on the path from one link to another: base, tip and errors are those of `kl.load_urdf`.
 
         >>> Tree.from_urdf(kl.to_urdf(kl.robots.youbot())).chain(base="link_4", tip="link_2").joint_names
         ('joint_4', 'joint_3')
         """
         base = self.root if base is None else base
         tip = self.default_tip(base) if tip is None else tip
-        T, screws, points, moving = np.eye(4), [], [], []
+        T, screws, points, moving = np.eye(4), [], [], {}
         for joint, sign in self.path(base, tip):
             if joint.type in MOVED_BY_POSES:
                 raise joint.element.error(
@@ -223,35 +196,32 @@ class Tree(TakesLimitedValues):
                     f"such as {joint.child}, or use kl.Tree.from_urdf(...).poses(q, joint_poses=...)."
                 )
             # The axis is given in the joint frame: the frame after this joint if the path goes down, and before it if it goes up.
-            before, T = T, T @ (joint.origin if sign > 0 else inverse(joint.origin))
+            if sign > 0:
+                T = T @ joint.origin
             if joint.moves:
-                frame = T if sign > 0 else before
-                screws.append(sign * moved_screw(frame, joint.screw))
-                points.append(frame[:3, 3])
-                moving.append(joint)
+                # Only the joints of the path: a faulty mimic joint elsewhere does not affect this chain.
+                moving[joint] = driver, multiplier, offset = followed(joint, self._moving_joints)
+                screws.append(sign * multiplier * moved_screw(T, joint.screw))
+                points.append(T[:3, 3])
+                # Where the independent joints are 0, a mimic joint has the value of its offset.
+                T = T @ exp(sign * offset * joint.screw)
+            if sign < 0:
+                T = T @ inverse(joint.origin)
         if not moving:
             raise self.link_elements[tip].error(f"a joint must move between {base} and {tip}; none does.")
-        # A faulty mimic joint elsewhere does not affect this chain.
-        couplings = [followed(joint, self._moving_joints) for joint in moving]
-        drivers = [driver for driver, _, _ in couplings]
-        for joint, (driver, multiplier, _) in zip(moving, couplings, strict=True):
+        drivers = [driver for driver, _, _ in moving.values()]
+        for joint, (driver, multiplier, _) in moving.items():
             if joint.mimic and (drivers.count(driver) > 1 or abs(multiplier) != 1):
                 raise joint.element.error(
                     f"the joints of a chain must move independently; joint {joint.name} mimics joint {driver}, multiplied by "
                     f"{multiplier:g}. Compute with kl.Tree.from_urdf(...).poses(q), or pass other links as base or tip."
                 )
-        limits = self.limits[[self._numbers[driver] for driver in drivers]]
-        chain = Chain(
+        limits = np.array([self._moving_joints[driver].limits for driver in drivers])
+        return Chain(
             *(np.array(screws), T, np.array(points), self.name, f"URDF, from {base} to {tip}"),
             limits=limits if np.isfinite(limits).any() else None,
             joint_names=tuple(drivers),
         )
-        if not any(joint.mimic for joint in moving):
-            return chain
-        # Where the independent joints are 0, the mimic joints have the values of their offsets: the chain is at home there.
-        signs, shifts = np.array([[multiplier, offset] for _, multiplier, offset in couplings]).T
-        moved, at = signs[:, None] * chain.jacobian(shifts).T, chain.link_poses(shifts)[:, :3, 3]
-        return chain.changed(screws=moved, home=chain.fk(shifts), points=at)
 
     def path(self, base: str, tip: str) -> list[PathStep]:
         """Find the joints from one link to another: up to their nearest common ancestor, and down from it.
@@ -279,9 +249,9 @@ class Tree(TakesLimitedValues):
     def _ancestors(self, link: str) -> list[UrdfJoint]:
         """The joints from a link up to the root."""
         joints = []
-        while link in self.parent_joints:
-            joints.append(self.parent_joints[link])
-            link = self.parent_joints[link].parent
+        while joint := self.parent_joints.get(link):
+            joints.append(joint)
+            link = joint.parent
         return joints
 
     @cached_property
@@ -324,32 +294,30 @@ class Tree(TakesLimitedValues):
         if len(tips) == 1:
             return tips[0]
         below = self._below
-        independent, moving = dict[str, int](), dict[str, int]()  # joints that follow a link, on the longest way
-        for _, name, _ in reversed([*self._descendants(base)]):
-            joints = below.get(name, [])
-            moving[name] = max((moving[each.child] + each.moves for each in joints), default=0)
-            independent[name] = max((independent[each.child] + each.is_independent for each in joints), default=0)
+        # For each link below the base, the joints on the longest way from the joint above it to an end.
+        independent, moving = dict[str, int](), dict[str, int]()
+        for _, name, _ in reversed([*self._descendants(base)][1:]):
+            joint, joints = self.parent_joints[name], below.get(name, [])
+            independent[name] = joint.is_independent + max((independent[each.child] for each in joints), default=0)
+            moving[name] = joint.moves + max((moving[each.child] for each in joints), default=0)
         while tips:
             body = [name for _, name, moves in self._descendants(link) if not moves]
             ways = [joint for name in body for joint in below.get(name, []) if joint.moves]
-            ways.sort(key=lambda joint: independent[joint.child] + joint.is_independent, reverse=True)
-            follow = [independent[joint.child] + joint.is_independent for joint in ways]
-            if behind and (not ways or (len(ways) > 1 and follow[0] < behind)):
+            ways.sort(key=lambda joint: independent[joint.child], reverse=True)
+            if link != base and (not ways or (len(ways) > 1 and independent[ways[0].child] < behind)):
                 ends = [joint.parent for joint in ways] or [name for name in body if name not in below]
                 return next((name for name in ["tool0", *ends] if name in body and "tool" in name), ends[0])
-            if len(ways) > 1 and follow[0] < 2 * max(moving[joint.child] + 1 for joint in ways[1:]):
+            if len(ways) > 1 and independent[ways[0].child] < 2 * max(moving[joint.child] for joint in ways[1:]):
                 break
             behind, link = behind + ways[0].is_independent, ways[0].child
-        raise self.link_elements[base].error(self._several_ends(base, tips))
-
-    def _several_ends(self, base: str, tips: list[str]) -> str:
-        """Say which links could be the end of an arm on a base."""
         choices = "Choose a base with a moving joint below it." if self.n else "No joint of the file has a value."
         if tips:
             counts = [sum(joint.moves for joint, _ in self.path(base, tip)) for tip in tips]
             named = (f"{tip} ({count} joint{'s'[: count != 1]})" for tip, count in zip(tips, counts, strict=True))
             choices = f"Choose the tip, one of {', '.join(named)}."
-        return f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
+        raise self.link_elements[base].error(
+            f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
+        )
 
     def _validate_joint_poses(self, given: Mapping[str, ArrayLike]) -> dict[str, Array]:
         needed = [joint.name for joint in self.parent_joints.values() if joint.type in MOVED_BY_POSES]

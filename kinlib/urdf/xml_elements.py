@@ -52,19 +52,21 @@ class Element:
             raise self.error(f'{attribute}="{value}" must be evaluated by xacro first. {EXPAND_HINT}')
         return value
 
-    def numbers(self, attribute: str, count: int) -> list[float]:
-        """Read the finite numbers of an attribute. Raises ValueError for anything else, and for another count."""
+    def numbers(self, attribute: str, count: int, default: list[float] | None = None) -> list[float]:
+        """Read the finite numbers of an attribute; if it is missing, it has its default. Raises ValueError for anything else."""
+        if default is not None and attribute not in self.attributes:
+            return default
         words = self.text(attribute).split()
         for word in words:
-            if not re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", word, re.ASCII) or not math.isfinite(
-                float(word)
-            ):
+            if not NUMBER.fullmatch(word) or not math.isfinite(float(word)):
                 hint = " Separate numbers by spaces." if re.search("[,;]", word) else ""
                 raise self.error(f'{attribute} must consist of finite numbers; got "{word}".{hint}')
         if len(words) != count:
             raise self.error(f'{attribute} must have {count} numbers; got {len(words)}: "{" ".join(words)}".')
         return [float(word) for word in words]
 
+
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 
 EXPAND_HINT = "Expand the file: xacro robot.urdf.xacro > robot.urdf"
 
