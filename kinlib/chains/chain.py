@@ -1,10 +1,7 @@
 """Open chains: n screw axes and a home pose determine the pose of the tool at every configuration.
 
-The same motion can be written in three forms, which differ in the position of the home pose M:
-
-    space form   T(q) = e^[S1]q1 ... e^[Sn]qn M
-    body form    T(q) = M e^[B1]q1 ... e^[Bn]qn,        B_i = Ad(M^-1) S_i
-    mid form     T(q) = e^[S1]q1 ... e^[Sk]qk M e^[Bk+1]qk+1 ... e^[Bn]qn
+The same motion can be written in three forms, which differ in the position of the home pose M: the space form `Chain.fk`, the body
+form `Chain.fk_body` and the mid form `Chain.fk_mid`.
 """
 
 from __future__ import annotations

@@ -39,7 +39,8 @@ Factors: TypeAlias = "list[AxisRotation | sp.Matrix]"
 
 def multiply(factors: Iterable[AxisRotation | sp.Matrix], end: sp.Matrix) -> sp.Matrix:
     """Multiply rotations and translations, from left to right, and a pose at the right end: 4x4."""
-    groups, constant = [_RotationGroup()], sp.eye(3)
+    # What is before the first rotation is rotated by 0 about z.
+    groups, constant = [_RotationGroup(sp.Matrix([0, 0, 1]))], sp.eye(3)
     for factor in factors:
         if not isinstance(factor, AxisRotation):
             groups[-1].translate(constant * factor)
@@ -47,10 +48,10 @@ def multiply(factors: Iterable[AxisRotation | sp.Matrix], end: sp.Matrix) -> sp.
             # A constant rotation by a multiple of pi/2 only permutes the coordinate axes of everything to its right.
             constant = constant * rotation(*factor)
         else:
-            turn = AxisRotation(constant * factor.axis, factor.angle)
-            if not groups[-1].rotate(turn):
-                groups.append(_RotationGroup())
-                groups[-1].rotate(turn)
+            axis = constant * factor.axis
+            if axis not in (groups[-1].axis, -groups[-1].axis):
+                groups.append(_RotationGroup(axis))
+            groups[-1].angle += factor.angle if axis == groups[-1].axis else -factor.angle
     T = homogeneous(constant, sp.zeros(3, 1)) * end
     for group in reversed(groups):
         T = group.multiply(T)
@@ -61,22 +62,14 @@ def multiply(factors: Iterable[AxisRotation | sp.Matrix], end: sp.Matrix) -> sp.
 class _RotationGroup:
     """Consecutive rotations about one direction, with the translations between them.
 
-    axis          the unit vector 3x1, None before the first rotation
+    axis          the unit vector 3x1
     angle         the sum of the angles
     translations  for each angle reached so far, the sum of the translations 3x1 that are rotated by it
     """
 
-    axis: sp.Matrix | None = None
+    axis: sp.Matrix
     angle: sp.Expr = field(default_factory=lambda: sp.S.Zero)
     translations: dict[sp.Expr, sp.Matrix] = field(default_factory=dict)
-
-    def rotate(self, turn: AxisRotation) -> bool:
-        """Append a rotation about the direction of this group or the opposite one; False for another direction."""
-        self.axis = turn.axis if self.axis is None else self.axis
-        if turn.axis not in (self.axis, -self.axis):
-            return False
-        self.angle += turn.angle if turn.axis == self.axis else -turn.angle
-        return True
 
     def translate(self, vector: sp.Matrix) -> None:
         """Append a translation, given in the frame after the rotations so far."""
@@ -84,11 +77,8 @@ class _RotationGroup:
 
     def multiply(self, T: sp.Matrix) -> sp.Matrix:
         """Multiply the pose of this group by a pose T at its right: 4x4."""
-        zero = sp.zeros(3, 1)
-        if self.axis is None:
-            return homogeneous(sp.eye(3), self.translations.get(self.angle, zero)) * T
-        translations = {**self.translations, self.angle: self.translations.get(self.angle, zero) + T[:3, 3]}
-        p = sum((rotation(self.axis, angle) * vector for angle, vector in translations.items()), zero)
+        self.translate(T[:3, 3])
+        p = sum((rotation(self.axis, angle) * vector for angle, vector in self.translations.items()), sp.zeros(3, 1))
         return homogeneous(rotation(self.axis, self.angle) * T[:3, :3], p)
 
 
