@@ -75,23 +75,19 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
 
     def __str__(self) -> str:
         """Write the screw axes and the home pose."""
-        return "\n".join([self._title, aligned_table([SCREW_HEADINGS, *self._screw_rows()]), self._home_line])
+        title, rows, home = self._printed()
+        return "\n".join([title, aligned_table([SCREW_HEADINGS, *rows]), home])
 
     def _repr_html_(self) -> str:
-        table = html_table(f"{self._title}: screw axes in {{s}}, at home", SCREW_HEADINGS, self._screw_rows())
-        return f"{table}<p>{self._home_line}</p>"
+        title, rows, home = self._printed()
+        return f"{html_table(f'{title}: screw axes in {{s}}, at home', SCREW_HEADINGS, rows)}<p>{home}</p>"
 
-    @property
-    def _title(self) -> str:
-        return f"{self.name}, {self.n} joint{'s'[: self.n != 1]} ({self.joint_types})"
-
-    @property
-    def _home_line(self) -> str:
-        return f"M = {format_matrix(self.home)}"
-
-    def _screw_rows(self) -> list[list[str]]:
-        letters = enumerate(zip(self.joint_types, self.screws, strict=True), start=1)
-        return [[str(i), letter, format_vector(S[:3]), format_vector(S[3:])] for i, (letter, S) in letters]
+    def _printed(self) -> tuple[str, list[list[str]], str]:
+        """The title, the rows of the screw axes, and the home pose, as text."""
+        axes = enumerate(zip(self.joint_types, self.screws, strict=True), start=1)
+        rows = [[str(i), letter, format_vector(S[:3]), format_vector(S[3:])] for i, (letter, S) in axes]
+        title = f"{self.name}, {self.n} joint{'s'[: self.n != 1]} ({self.joint_types})"
+        return title, rows, f"M = {format_matrix(self.home)}"
 
     @property
     def n(self) -> int:

@@ -146,16 +146,12 @@ class Tree(TakesLimitedValues):
     def _moving_joints(self) -> dict[str, UrdfJoint]:
         return {joint.name: joint for joint in self.parent_joints.values() if joint.type in MOVING_TYPES}
 
-    def poses(
-        self, q: JointValues, base: ArrayLike | None = None, joint_poses: Mapping[str, ArrayLike] | None = None
-    ) -> dict[str, Array]:
+    def poses(self, q: JointValues, joint_poses: Mapping[str, ArrayLike] | None = None) -> dict[str, Array]:
         """Compute the pose of every link, each in the link's own frame, as tf in ROS gives them.
 
         q (..., n) of the independent joints, in radians and metres -> (..., 4, 4) for each link, in the frame of the root:
         T_child = T_parent O e^[A]q, with the origin O and the axis A of the joint between the two links.
 
-        base         (..., 4, 4), the pose of the root in the world, for a floating base; by default the identity. With six
-                     coordinates xi of the base in front of q it is kl.exp(xi)
         joint_poses  for the name of each planar and each floating joint, its motion (..., 4, 4): the pose of the child link in
                      the frame of the joint
 
@@ -163,18 +159,16 @@ class Tree(TakesLimitedValues):
         Source: the URDF specification, "joint"; Modern Robotics, 4.2.
 
         >>> tree = Tree.from_urdf(kl.to_urdf(kl.robots.youbot()))
-        >>> lifted = tree.poses(np.zeros((10, 5)), base=exp([0, 0, 0, 0, 0, 0.5]))     # the arm on a platform
-        >>> lifted["base_link"].shape, bool(np.allclose(lifted["tool"], exp([0, 0, 0, 0, 0, 0.5]) @ kl.robots.youbot().home))
-        ((10, 4, 4), True)
+        >>> np.allclose(tree.poses(np.zeros((10, 5)))["tool"], kl.robots.youbot().home)
+        True
         """
         q = self.in_order(q)
         values = dict(zip(self.joint_names, np.moveaxis(q, -1, 0), strict=True))
         motions = self._validate_joint_poses(joint_poses or {})
         for name, (driver, multiplier, offset) in self.couplings.items():
             motions[name] = exp(self._moving_joints[name].screw * (multiplier * values[driver][..., None] + offset))
-        root = np.eye(4) if base is None else validation.poses(base, "base")
-        shape = np.broadcast_shapes(q.shape[:-1], root.shape[:-2], *(T.shape[:-2] for T in motions.values()))
-        found = {self.root: np.broadcast_to(root, (*shape, 4, 4)).copy()}
+        shape = np.broadcast_shapes(q.shape[:-1], *(T.shape[:-2] for T in motions.values()))
+        found = {self.root: np.broadcast_to(np.eye(4), (*shape, 4, 4)).copy()}
         for _, link, _ in self._descendants(self.root):
             if joint := self.parent_joints.get(link):
                 found[link] = found[joint.parent] @ (joint.origin @ motions.get(joint.name, np.eye(4)))
@@ -200,11 +194,11 @@ class Tree(TakesLimitedValues):
                 T = T @ joint.origin
             if joint.moves:
                 # Only the joints of the path: a faulty mimic joint elsewhere does not affect this chain.
-                moving[joint] = driver, multiplier, offset = followed(joint, self._moving_joints)
-                screws.append(sign * multiplier * moved_screw(T, joint.screw))
-                points.append(T[:3, 3])
+                moving[joint] = _, multiplier, offset = followed(joint, self._moving_joints)
                 # Where the independent joints are 0, a mimic joint has the value of its offset.
                 T = T @ exp(sign * offset * joint.screw)
+                screws.append(sign * multiplier * moved_screw(T, joint.screw))
+                points.append(T[:3, 3])
             if sign < 0:
                 T = T @ inverse(joint.origin)
         if not moving:

@@ -77,21 +77,14 @@ def read_robot(path_or_text: str | os.PathLike[str]) -> Element:
     Raises ValueError, with the line if there is one, if the file is missing, a directory, empty, too large or not XML, if its
     root is another element, and if it has a document type or macros of xacro.
     """
+    # A document type is refused where it begins, so no entity is ever declared. By itself expat opens and downloads nothing.
+    from xml.parsers import expat
+
     text = _text(path_or_text)
     # A text in triple quotes often begins with an empty line, but XML must begin with its declaration: remove and count it.
     document = text.lstrip()
     blank = text[: len(text) - len(document)]
-    root = _parsed(document, above=blank.count("\n") if isinstance(blank, str) else blank.count(b"\n"))
-    if root.tag != "robot":
-        raise root.error("the first element must be <robot>. Pass the URDF of the robot, and not SDF or MJCF.")
-    return root
-
-
-def _parsed(document: str | bytes, above: int) -> Element:
-    """The first element of a document that has `above` lines before it."""
-    # A document type is refused where it begins, so no entity is ever declared. By itself expat opens and downloads nothing.
-    from xml.parsers import expat
-
+    above = blank.count("\n") if isinstance(blank, str) else blank.count(b"\n")
     parser, elements, opened = expat.ParserCreate(), list[Element](), list[Element]()
 
     def start(tag: str, attributes: dict[str, str]) -> None:
@@ -114,7 +107,10 @@ def _parsed(document: str | bytes, above: int) -> Element:
         raise ValueError(
             f"Line {above + parser.ErrorLineNumber}: the file must be XML in UTF-8; {str(error).partition(':')[0]}. Is a tag not closed?"
         ) from error
-    return elements[0]
+    root = elements[0]
+    if root.tag != "robot":
+        raise root.error("the first element must be <robot>. Pass the URDF of the robot, and not SDF or MJCF.")
+    return root
 
 
 def _text(path_or_text: str | os.PathLike[str]) -> str | bytes:

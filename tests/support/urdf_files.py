@@ -28,20 +28,18 @@ def ur5e_urdf():
     return (Path(pytest.importorskip("airo_models").__file__).parent / "arms" / "ur5e" / "ur5e.urdf").read_text("utf-8")
 
 
-def link_poses_by_pinocchio(text, names, q, base=None, mimic=False):
+def link_poses_by_pinocchio(text, names, q):
     """The poses {link: (N, 4, 4)} of all links for values (N, n) of the named joints, by Pinocchio's own reader.
 
-    Other joints stay at 0, mimic joints, too, unless mimic is True. base (4, 4) is the pose of the root, as a floating base.
+    Other joints stay at 0, mimic joints, too.
     """
     pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
-    model = pin.buildModelFromXML(text, *([] if base is None else [pin.JointModelFreeFlyer()]), mimic=mimic)
+    model = pin.buildModelFromXML(text)
     data = model.createData()
     links = {frame.name: i for i, frame in enumerate(model.frames) if frame.type == pin.FrameType.BODY}
     found = {link: [] for link in links}
     for row in q:
         values = pin.neutral(model)
-        if base is not None:
-            values[:7] = pin.SE3ToXYZQUAT(pin.SE3(base))
         for name, value in zip(names, row, strict=True):
             joint = model.joints[model.getJointId(name)]
             # A continuous joint of Pinocchio is a point of the circle.
