@@ -19,9 +19,9 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, arm
 from kinlib.chains.robots import pose as frame
 from kinlib.rigid.lie import exp, hat, homogeneous
+from kinlib.symbolic.formulas import exact
 from kinlib.symbolic.merge_rotations import homogeneous as symbolic_pose
 from kinlib.symbolic.merge_rotations import rotation as turn
-from kinlib.symbolic.numbers import exact
 from kinlib.view import draw_joints
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers

@@ -39,9 +39,9 @@ from kincourse.sampling.lettered_arms import LetteredArm, draw_lettered_arm
 from kincourse.text.joint_table import joint_table
 from kinlib.chains.robots import X, Y, Z, angled_arm, arm, pose
 from kinlib.rigid.lie import adjoint
+from kinlib.symbolic.formulas import exact
 from kinlib.symbolic.formulas import screw as symbolic_screw
 from kinlib.symbolic.merge_rotations import homogeneous
-from kinlib.symbolic.numbers import exact
 from kinlib.view import draw_arm, draw_joints
 from misstep.answers.function import Function
 from misstep.answers.ordering import Ordering
