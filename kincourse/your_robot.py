@@ -478,7 +478,7 @@ def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, l
         raise ValueError(f"{arm!r:.60} is neither a URDF file nor a known arm. Known are {', '.join(KNOWN)}.")
     chain, tree = load_urdf(arm, base or None, tip or None), Tree.from_urdf(arm)
     base, tip = base or tree.root, tip or tree.default_tip(base or None)
-    counts = {end: sum(step.joint.moves for step in tree.path(base, end)) for end in tree.tips if end != tip}
+    counts = {end: sum(joint.moves for joint, _ in tree.path(base, end)) for end in tree.tips if end != tip}
     ends = [f"{end} ({count} joint{'s'[: count != 1]})" for end, count in counts.items()]
     notes = [f"The arm is from link {base} to link {tip}: {', '.join(chain.joint_names or ())}."]
     others = [name for name in tree.joint_names if name not in (chain.joint_names or ())]

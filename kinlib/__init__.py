@@ -94,8 +94,7 @@ else:
         return import_module("kinlib.view").show if name == "show" else import_module(f"kinlib.{name}")
 
     def __dir__() -> list[str]:
-        names = {name for name in globals() if not name.startswith("_")} - {"Any", "TYPE_CHECKING"}
-        return sorted(names | {"__version__", "show", "symbolic", "view"})
+        return sorted({*globals(), "show", "symbolic", "view"} - {"Any", "TYPE_CHECKING"})
 
 
 __version__ = "0.1.0"

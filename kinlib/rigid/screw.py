@@ -90,17 +90,15 @@ def axes(S: ArrayLike, name: str) -> Array:
     """
     S = validation.vectors(S, name, 6)
     size = _size(S)
-    if (np.abs(size - 1) > tolerances.UNIT_LENGTH_TOL).any():
-        fits = S.ndim == 2 and S.shape == (6, 6) and (np.abs(_size(S.T) - 1) <= tolerances.UNIT_LENGTH_TOL).all()
-        index = np.argwhere(np.abs(size - 1) > tolerances.UNIT_LENGTH_TOL)[0].tolist()
-        part = "omega" if S[tuple(index)][:3].any() else "v (omega is zero: a prismatic joint)"
+    if (wrong := np.abs(size - 1) > tolerances.UNIT_LENGTH_TOL).any():
+        index = np.argwhere(wrong)[0].tolist()
         length = size[tuple(index)]
-        if fits:
+        part = "omega" if S[tuple(index)][:3].any() else "v (omega is zero: a prismatic joint)"
+        advice = "A twist is a screw axis times an angle or a length: divide all six numbers by this one"
+        if S.shape == (6, 6) and (np.abs(_size(S.T) - 1) <= tolerances.UNIT_LENGTH_TOL).all():
             advice = f"Screw axes go in rows, but yours are in columns: try {name}.T"
         elif length < tolerances.ORTHONORMALITY_TOL:
             advice = f"A revolute joint needs an axis, and a prismatic joint needs a direction{', and an omega of 0' * bool(length)}"
-        else:
-            advice = "A twist is a screw axis times an angle or a length: divide all six numbers by this one"
         raise ValueError(
             f"{name} must contain screw axes: |omega| = 1, or omega = 0 and |v| = 1. "
             f"In {name}{index or ''} the length of {part} is {length:.10g}. {advice}."

@@ -1,13 +1,4 @@
-"""URDF files as chains, and chains as URDF files.
-
-A URDF gives the pose of each joint in the frame of its parent link, and the direction of its axis in its own frame. At q = 0
-the frames on the path from base to tip are products of these poses, and give the screws in the base frame:
-
-    T_i = Trans(xyz) Rz(yaw) Ry(pitch) Rx(roll),    J_i = T_1 T_2 ... T_i = (R_i, p_i)
-    S_i = screw(R_i axis_i, p_i),    M = J_tip
-
-A fixed joint contributes a T_i and no screw. Meshes, masses and colours do not affect the kinematics and are ignored.
-"""
+"""URDF files as chains, and chains as URDF files."""
 
 from __future__ import annotations
 
@@ -29,10 +20,16 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
     base          the link whose frame is {s}; by default the root of the tree
     tip           the link whose frame is {b}; by default `Tree.default_tip(base)`: the end of the arm, without the fingers of a gripper
 
-    Revolute, continuous and prismatic joints become screws in the base frame, and fixed joints are merged. The chain keeps
-    the names and the limits of the joints, and its points are the joint origins. Axes are normalized. The path may go up the
-    tree and down again: the base need not be an ancestor of the tip. A mimic joint that is +-1 times an independent joint, plus an
-    offset, takes the name and the limits of that joint.
+    A URDF gives the pose of each joint in the frame of its parent link, and the direction of its axis in its own frame. At q = 0
+    the frames on the path are products of these poses, and give the screws in the base frame:
+
+        T_i = Trans(xyz) Rz(yaw) Ry(pitch) Rx(roll),    J_i = T_1 T_2 ... T_i = (R_i, p_i)
+        S_i = screw(R_i axis_i, p_i),    M = J_tip
+
+    A fixed joint contributes a T_i and no screw. The path may go up the tree and down again: the base need not be an ancestor of
+    the tip. The chain keeps the names and the limits of the joints, and its points are the joint origins. A mimic joint that is
+    +-1 times an independent joint, plus an offset, takes the name and the limits of that joint. Meshes, masses and colours are
+    ignored, because they do not affect the kinematics.
 
     Raises ValueError, with the element and its line, if the file is not XML, not a URDF or not a tree, if a number is not
     valid, if several links could be the tip, and if between base and tip no joint moves, one is planar or floating, or one mimics a

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -24,13 +23,6 @@ HEADINGS = ["link", "joint", "type", "value"]
 
 MOVED_BY_POSES = ("planar", "floating")
 """The joints that do not move by a single value."""
-
-
-class PathStep(NamedTuple):
-    """A joint of a path, and its direction: sign +1 from parent to child, -1 from child to parent."""
-
-    joint: UrdfJoint
-    sign: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +66,6 @@ class Tree(TakesLimitedValues):
         """Read a URDF from the path of a file, or from its text, which begins with <.
 
         Raises ValueError, with the element and its line, as kl.load_urdf does.
-        Source: the URDF specification, "link" and "joint".
         """
         robot = read_robot(path_or_text)
         is_text = isinstance(path_or_text, str) and path_or_text.lstrip("\ufeff \t\r\n").startswith("<")
@@ -217,21 +208,21 @@ class Tree(TakesLimitedValues):
             joint_names=tuple(drivers),
         )
 
-    def path(self, base: str, tip: str) -> list[PathStep]:
+    def path(self, base: str, tip: str) -> list[tuple[UrdfJoint, int]]:
         """Find the joints from one link to another: up to their nearest common ancestor, and down from it.
+
+        Each joint is given with its direction: +1 from parent to child, -1 from child to parent.
 
         >>> text = '''<robot name="rig"> <link name="table"/> <link name="post"/> <link name="camera"/>
         ...     <joint name="at_rear" type="fixed"> <parent link="table"/> <child link="post"/> </joint>
         ...     <joint name="on_top" type="fixed"> <parent link="post"/> <child link="camera"/> </joint> </robot>'''
-        >>> [(step.joint.name, step.sign) for step in Tree.from_urdf(text).path("camera", "table")]
+        >>> [(joint.name, sign) for joint, sign in Tree.from_urdf(text).path("camera", "table")]
         [('on_top', -1), ('at_rear', -1)]
         """
         up, down = (self._ancestors(self._checked(link, name)) for link, name in ((base, "base"), (tip, "tip")))
-        shared = {joint.name for joint in up} & {joint.name for joint in down}
-        return [
-            *(PathStep(joint, -1) for joint in up if joint.name not in shared),
-            *(PathStep(joint, +1) for joint in reversed(down) if joint.name not in shared),
-        ]
+        while up and down and up[-1] is down[-1]:
+            up.pop(), down.pop()
+        return [*((joint, -1) for joint in up), *((joint, +1) for joint in reversed(down))]
 
     def _checked(self, link: str, argument: str) -> str:
         """The link, if it is one; argument: its name, for the message."""

@@ -60,7 +60,7 @@ def branches(robot: Chain | Tree, visuals: tuple[Tree, str] | None = None) -> li
     home = _home_poses(robot)
     found: list[Branch] = []
     for tip in robot.tips:
-        joints = [step.joint for step in robot.path(robot.root, tip) if step.joint.name in robot.couplings]
+        joints = [joint for joint, _ in robot.path(robot.root, tip) if joint.name in robot.couplings]
         if not joints:
             continue
         frames = np.array([home[joint.child] for joint in joints])
