@@ -26,15 +26,15 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
         T_i = Trans(xyz) Rz(yaw) Ry(pitch) Rx(roll),    J_i = T_1 T_2 ... T_i = (R_i, p_i)
         S_i = screw(R_i axis_i, p_i),    M = J_tip
 
-    A fixed joint contributes a T_i and no screw. The path may go up the tree and down again: the base need not be an ancestor of
-    the tip. The chain keeps the names and the limits of the joints, and its points are the joint origins. A mimic joint that is
-    +-1 times an independent joint, plus an offset, takes the name and the limits of that joint. Meshes, masses and colours are
-    ignored, because they do not affect the kinematics.
+    Axes are normalized, and a fixed joint contributes a T_i and no screw. The path may go up the tree and down again: the base
+    need not be an ancestor of the tip. The chain keeps the names and the limits of the joints, and its points are the joint
+    origins. A mimic joint that is +-1 times an independent joint, plus an offset, takes the name and the limits of that joint.
+    Meshes, masses and colours are ignored, because they do not affect the kinematics.
 
     Raises ValueError, with the element and its line, if the file is not XML, not a URDF or not a tree, if a number is not
-    valid, if several links could be the tip, and if between base and tip no joint moves, one is planar or floating, or one mimics a
-    joint with another multiplier, or a joint that another one follows, too. To use several chains of a file or the frames of its
-    links, or to show its meshes, read it with `Tree.from_urdf(file)`. No other file is opened.
+    valid, if several links could be the tip, and if between base and tip no joint moves, a joint is planar or floating, two follow the
+    same joint, or one has another multiplier than +-1. To use several chains of a file or the frames of its links, or to show its
+    meshes, read it with `Tree.from_urdf(file)`. No other file is opened.
 
     It also refuses what urdfdom, the parser of ROS, reads: a second parent that closes a loop, lower > upper, an axis of length 0,
     and an rpy in degrees; and it does not need effort and velocity.
