@@ -85,8 +85,8 @@ class Tree(TakesLimitedValues):
 
     @property
     def _title(self) -> str:
-        counts = ((len(self.links), "link"), (self.n, "independent joint"))
-        return ", ".join([self.name, *(f"{count} {word}{'s'[: count != 1]}" for count, word in counts)])
+        count = len(self.links)
+        return f"{self.name}, {count} link{'s'[: count != 1]}, {self.n} independent joint{'s'[: self.n != 1]}"
 
     def _rows(self, indent: str) -> Iterator[list[str]]:
         values = {name: f"q{i}" for i, name in enumerate(self.joint_names, start=1)}
@@ -221,7 +221,8 @@ class Tree(TakesLimitedValues):
         """
         up, down = (self._ancestors(self._checked(link, name)) for link, name in ((base, "base"), (tip, "tip")))
         while up and down and up[-1] is down[-1]:
-            up.pop(), down.pop()
+            up.pop()
+            down.pop()
         return [*((joint, -1) for joint in up), *((joint, +1) for joint in reversed(down))]
 
     def _checked(self, link: str, argument: str) -> str:

@@ -83,8 +83,7 @@ def read_robot(path_or_text: str | os.PathLike[str]) -> Element:
     text = _text(path_or_text)
     # A text in triple quotes often begins with an empty line, but XML must begin with its declaration: remove and count it.
     document = text.lstrip()
-    blank = text[: len(text) - len(document)]
-    above = blank.count("\n") if isinstance(blank, str) else blank.count(b"\n")
+    above = len(text.splitlines()) - len(document.splitlines())
     parser, elements, opened = expat.ParserCreate(), list[Element](), list[Element]()
 
     def start(tag: str, attributes: dict[str, str]) -> None:
