@@ -8,7 +8,7 @@ from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms import linkages
 from kinlib.mechanisms.mechanism import Mechanism
-from kinlib.rigid.angles import wrap_angle
+from kinlib.rigid.lie import wrap_angle
 
 
 class FourBar(NamedTuple):

@@ -23,8 +23,7 @@ from kinlib.arrays.tolerances import PARALLEL_TOL_RAD, SAME_DISTANCE_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.common_normal import frame_axes
-from kinlib.rigid.angles import wrap_angle
-from kinlib.rigid.lie import adjoint, cross, exp, homogeneous, inverse, perpendicular, vee
+from kinlib.rigid.lie import adjoint, cross, exp, homogeneous, inverse, perpendicular, vee, wrap_angle
 
 Booleans = NDArray[np.bool_]
 

@@ -15,7 +15,7 @@ from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.table import Convention, DHTable
-from kinlib.rigid.angles import wrap_angle
+from kinlib.rigid.lie import wrap_angle
 
 A, ALPHA, D, THETA = range(4)
 LENGTHS, ANGLES = (A, D), (ALPHA, THETA)

@@ -13,7 +13,7 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms.levenberg_marquardt import Equations, null_space, on_planes, polish, solve, validate_solution
-from kinlib.rigid.angles import wrap_angle
+from kinlib.rigid.lie import wrap_angle
 
 MAX_STEPS, MAX_STEP = 5000, 0.2
 """The largest number of steps in either direction, and the longest step, radians and metres together."""

@@ -311,6 +311,17 @@ def perpendicular(axis: ArrayLike) -> Array:
     return unit
 
 
+def wrap_angle(angle: ArrayLike) -> Array:
+    """Wrap angles into the interval (-pi, pi] by adding multiples of a full turn.
+
+    angle (...) in radians -> (...). An angle that is in the interval already is returned unchanged, to the last bit.
+    """
+    angle = np.asarray(angle, dtype=float)
+    # Near -pi the quotient is rounded to -1/2, so the formula would change angles that are in the interval already.
+    is_inside = (-np.pi < angle) & (angle <= np.pi)
+    return np.where(is_inside, angle, angle - 2 * np.pi * np.ceil(angle / (2 * np.pi) - 0.5))
+
+
 def _generator(x: ArrayLike) -> Array:
     x = validation.array(x, "x")
     if x.shape[-1:] not in {(3,), (6,)}:

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms.mechanism import Mechanism
-from kinlib.rigid.angles import wrap_angle
+from kinlib.rigid.lie import wrap_angle
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, INK, LINK_GREY, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture

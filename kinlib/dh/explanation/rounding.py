@@ -18,7 +18,7 @@ from kinlib.dh.explanation.search import TableExplanation
 from kinlib.dh.parsing import joint_entries
 from kinlib.dh.slips import ANGLES, LENGTHS, wrong_number
 from kinlib.dh.table import DHTable
-from kinlib.rigid.angles import wrap_angle
+from kinlib.rigid.lie import wrap_angle
 
 ALL_DECIMALS = 12
 """A number with so many decimals was not rounded by a person."""

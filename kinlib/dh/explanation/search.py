@@ -23,7 +23,7 @@ from kinlib.dh.equivalence import CHOICES, Equivalence, describe_pose, equivalen
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.slips import NUMBERS, Fault, corrections, starting_tables
 from kinlib.dh.table import DHTable, joint_axes, row_transforms
-from kinlib.rigid.angles import wrap_angle
+from kinlib.rigid.lie import wrap_angle
 
 FILTER_TOL_FACTOR = 3
 """How many times the tolerance an invariant may be off before a correction is refuted by it."""

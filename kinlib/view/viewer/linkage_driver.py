@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array, JointValues
 from kinlib.mechanisms.mechanism import Mechanism
-from kinlib.rigid.angles import wrap_angle
+from kinlib.rigid.lie import wrap_angle
 from kinlib.rigid.screw import line
 from kinlib.view.figures.bodies import solid_data
 from kinlib.view.figures.linkage import draw_linkage, is_planar, linkage_body, linkage_geometry
