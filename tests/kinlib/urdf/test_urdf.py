@@ -105,6 +105,8 @@ def test_of_several_fixed_ends_the_tip_is_that_which_is_called_a_tool():
             for end in ("camera_link", "tool_frame"))  # fmt: skip
     text = linked("ab", "ab").replace("</robot>", "".join([*ends, "</robot>"]))
     assert kl.Tree.from_urdf(text).default_tip() == "tool_frame"
+    follows = text.replace("</joint>", '<mimic joint="another"/></joint>', 1)  # so no joint has a value of its own
+    assert kl.Tree.from_urdf(follows).default_tip() == "tool_frame"
 
 
 BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{f'&{a};' * 10}'>" for a in "abcdefghi")
