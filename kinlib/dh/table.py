@@ -304,7 +304,11 @@ def format_rows(
 
 
 def add_variable(variable: str, constant: str) -> str:
-    """Write the sum of a joint variable and a constant, which is left out if it is 0."""
+    """Write the sum of a joint variable and a constant, which is left out if it is 0.
+
+    >>> add_variable("q1", "-90°"), add_variable("-q2", "0")
+    ('q1 - 90°', '-q2')
+    """
     if constant in {"0", "0°"}:
         return variable
     return f"{variable} - {constant[1:]}" if constant.startswith("-") else f"{variable} + {constant}"

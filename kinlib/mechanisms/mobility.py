@@ -95,6 +95,11 @@ def search_modes(equations: Equations, search_range: Array, poses: Callable[[Arr
     poses  of the bodies at points (m, n), first dimension m: equal at two solutions of one mode
 
     Raises ValueError if the linkage can still move at a solution.
+
+    >>> square = Equations(lambda x: (x * x - 4, 2 * x[:, :, None]), 1e-12, np.array([False]))
+    >>> search_modes(square, np.array([5.0]), poses=lambda x: x)
+    array([[-2.],
+           [ 2.]])
     """
     # The guesses are random but the result must not be: every call draws the same ones.
     rng = np.random.default_rng(0)

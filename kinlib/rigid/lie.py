@@ -167,6 +167,9 @@ def ad(x: ArrayLike) -> Array:
     ad(x) y = [x, y] is the velocity at which the motion along x changes y.
 
     Source: Modern Robotics, definition 8.1.
+
+    >>> ad([0, 0, 1, 0, 0, 0]) @ [1, 0, 0, 0, 0, 0]       # a rotation about z moves an axis along x towards y
+    array([0., 1., 0., 0., 0., 0.])
     """
     x = validation.vectors(x, "x", 6)
     matrix = np.zeros((*x.shape[:-1], 6, 6))
@@ -182,6 +185,9 @@ def left_jacobian_inverse(x: ArrayLike) -> Array:
 
     The angle of x must be at most pi, as that of each twist which log returns.
     Source: J(x) is the integral of exp(s ad(x)) over s from 0 to 1, term by term.
+
+    >>> left_jacobian_inverse([0, 0, 0, 1, 2, 0])[3:, 2]  # beside a translation by p, V about z: z x p / 2
+    array([-1. ,  0.5,  0. ])
     """
     A, identity = ad(x), np.eye(6)
     squared, J = A @ A, identity
@@ -315,6 +321,9 @@ def wrap_angle(angle: ArrayLike) -> Array:
     """Wrap angles into the interval (-pi, pi] by adding multiples of a full turn.
 
     angle (...) in radians -> (...). An angle that is in the interval already is returned unchanged, to the last bit.
+
+    >>> wrap_angle([-np.pi, 7.0]).round(4)
+    array([3.1416, 0.7168])
     """
     angle = np.asarray(angle, dtype=float)
     # Near -pi the quotient is rounded to -1/2, so the formula would change angles that are in the interval already.
