@@ -12,11 +12,15 @@ SHOWN_DIGITS = 4
 
 
 def format_number(value: float, digits: int = SHOWN_DIGITS, *, zero: float = ROUNDING_ERROR) -> str:
-    """Write a number with at most this many significant digits, and never as -0.
+    """Write a number with at most this many significant digits, and never as -0; below a million it has no exponent.
 
     zero  a number up to this size is written as 0
+
+    >>> format_number(1123.4, 3), format_number(1.5e9)
+    ('1120', '1.5e+09')
     """
-    return f"{float(value):.{digits}g}" if abs(value) > zero else "0"
+    text = f"{float(value):.{digits}g}" if abs(value) > zero else "0"
+    return f"{float(text):.0f}" if "e+" in text and abs(value) < 1e6 else text
 
 
 def format_vector(values: ArrayLike, digits: int = SHOWN_DIGITS, *, zero: float = ROUNDING_ERROR) -> str:
