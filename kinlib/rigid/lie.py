@@ -181,19 +181,23 @@ def ad(x: ArrayLike) -> Array:
 def left_jacobian_inverse(x: ArrayLike) -> Array:
     """Write the inverse of the left Jacobian of SE(3): how log(E) changes when E = exp(x) is followed by a small twist V.
 
-    (..., 6) -> (..., 6, 6), J(x)^-1 with log(exp(V) E) = x + J(x)^-1 V + O(V^2):  J(x) = I + A/2! + A^2/3! + ...,  A = ad(x).
+    (..., 6) -> (..., 6, 6), J(x)^-1 with log(exp(V) E) = x + J(x)^-1 V + O(V^2):  J(x)^-1 = I - A/2 + b A^2 + c A^4,  A = ad(x).
 
     The angle of x must be at most pi, as that of each twist which log returns.
-    Source: J(x) is the integral of exp(s ad(x)) over s from 0 to 1, term by term.
+    Source: the series A / (exp(A) - 1); of its even part, (theta / 2) cot(theta / 2), value and slope give b and c.
 
     >>> left_jacobian_inverse([0, 0, 0, 1, 2, 0])[3:, 2]  # beside a translation by p, V about z: z x p / 2
     array([-1. ,  0.5,  0. ])
     """
-    A, identity = ad(x), np.eye(6)
-    squared, J = A @ A, identity
-    for k in range(30, 0, -2):  # two terms at a time; at half a turn the next one is below 1e-17
-        J = identity + A / k + squared @ J / (k * (k + 1))
-    return np.asarray(np.linalg.inv(J))
+    A = ad(x)
+    half = _length(A[..., [2, 0, 1], [1, 2, 0]])[..., None, None] / 2
+    small = half < 0.02
+    t = np.where(small, 1.0, half)
+    value, slope = 1 - t / np.tan(t), (t / np.sin(t)) ** 2 - t / np.tan(t)  # of 1 - t cot(t)
+    b = np.where(small, 1 / 12 - half**4 / 1890, (4 * value - slope) / (8 * t**2))
+    c = np.where(small, -1 / 720 - half**2 / 3780, (2 * value - slope) / (32 * t**4))
+    squared = A @ A
+    return np.asarray(np.eye(6) - A / 2 + b * squared + c * squared @ squared)
 
 
 def exponentials(S: Array, q: Array) -> Array:
