@@ -4324,6 +4324,7 @@ ${i.map(s=>ln(s)?"    ...,":`    pose((${[0,1,2].map(r=>e(Be(s,r))).join(", ")})
 .kv input[type="range"]::-moz-range-track { height: 5px; border-radius: 3px; background: var(--track); }
 .kv input[type="range"]::-webkit-slider-thumb { -webkit-appearance: none; width: 17px; height: 17px; margin-top: -6px; border-radius: 50%; background: var(--paper); border: 4.5px solid var(--accent); }
 .kv input[type="range"]::-moz-range-thumb { width: 8px; height: 8px; border-radius: 50%; background: var(--paper); border: 4.5px solid var(--accent); }
+@media (forced-colors: active) { .kv input[type="range"] { forced-color-adjust: none; --accent: Highlight; --edge: CanvasText; --paper: Canvas; } }
 .kv-buttons { display: flex; flex-wrap: wrap; gap: 6px; margin-top: 6px; }
 .kv-play { min-width: 84px; }
 .kv-pose { overflow-x: auto; }
