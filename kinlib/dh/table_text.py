@@ -13,7 +13,7 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ALL_COLUMNS, COLUMNS, NUMBER, UNITS, Assumption, Entry, Grid, parse_heading, read_entry
 from kinlib.dh.reading.lines import commented_rows, read_lines
-from kinlib.dh.reading.named import definitions, read_lists, read_numbered, read_records
+from kinlib.dh.reading.named import definitions, read_named
 from kinlib.dh.reading.spelling import plain_text
 
 MAX_TEXT_LENGTH, MAX_ROWS, MIN_LENGTH_MM = 40_000, 60, 5.0
@@ -113,7 +113,7 @@ def read_rows(text: str, *, strict: bool, lengths: Mapping[str, float], joints: 
 
 def _grid(plain: str, names: Mapping[str, Entry]) -> Grid:
     """Return the rows of cells as the first reader finds them, and tell what it does not read of the text."""
-    readers = (read_records, read_numbered, read_lists, read_lines)
+    readers = (read_named, read_lines)
     grid = next((found for reader in readers if (found := reader(plain, names)).rows or found.problem), Grid(names))
     if grid.problem:
         raise ValueError(

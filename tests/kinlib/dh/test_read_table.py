@@ -127,14 +127,18 @@ def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():
         ("All lengths are in inches.\na alpha d theta\n0 90 6 q1", "must be in m, cm or mm; the text has 'inches'"),
         ("i a(in) alpha(deg) d(in) theta\n1 0 -90 26.45 0", r"must be in m, cm or mm; the text has '\(in\)'"),
         ("a alpha d theta\n0 5mm 0.1 q1", "Line 2, .*, alpha: '5mm' is no angle"),
-        ("a = [0, 0.4]\nd = [0.3, 0]", r"must be lists .*; got a [(]2[)], d [(]2[)]"),
+        ("a = [0, 0.4]\nd = [0.3, 0]", r"must have one value for each row, .*; got a [(]2[)], d [(]2[)]"),
         (
             "# rows: alpha, d, theta\n0, 1.57, 0.3, 0\n0.4, 0, 0, 0",
             "Line 3, .* cannot be read: it does not have as many cells",
         ),
         ("theta 0 0 0 0\nd 0.3 0 0 0.1\na 0 0.4 0.2 0\nalpha 90 0 0 0", "No table was found"),
         ("1 90 0.3 0\n2 0 0 0.2", "The first column only counts the rows"),
-        ("Link('d', 0,3, 'a', 0)\nLink('d', 0, 'a', 0,4)", "each name must have one value, with a decimal point"),
+        ("Link('d', 0,3, 'a', 0)\nLink('d', 0, 'a', 0,4)", "got '0,3'. The decimal sign is a point: write 0.3"),
+        ("a alpha d theta\n0 90° l1 q1\n0.4 0 0 q2\nl1 = 0,3", "got 'l1'. If l1 is the joint variable"),
+        ("a1, a2 = 0, 0.4\nalpha1, alpha2 = pi/2, 0\nd1, d2 = 0.3, 0", "Row 1, alpha: .*; got 'pi/2, 0'"),
+        ("a = [0, 0.4]\na = [0, 0.5]\nalpha = [pi/2, 0]\nd = [0.3, 0]", "and two values for a. Paste all of one arm"),
+        ("a1 = 0; alpha1 = 0; d1 = 0.3\na2 = 0; alpha2 = 0", r"got a \(2\), alpha \(2\), d \(1\)"),
         ("RevoluteDH(d=length[0])\nRevoluteDH(a=length[1])", "Row 1, .*, d: an entry must be a number"),
         ("a1 = 0; alpha1 = pi/2; d1 = 0.3 * SCALE\na2 = 1; alpha2 = 0; d2 = 0", "0.3 [*] SCALE"),
         ("L1 = 0.3 * SCALE\na | alpha | d | theta\n0 | 0 | L1 | q1\n1 | 0 | 0 | q2", "If L1 is the joint variable"),
@@ -147,6 +151,7 @@ def test_what_cannot_be_read_is_refused_with_its_place(text, words):
 
 SAME_ARM = {
     "symbols": "s = {alpha1: pi/2, a1: 0, d1: 0.3,\n alpha2: 0, a2: 0.4, d2: 0, q2: q2 + pi/2,\n alpha3: 0, a3: 0.2, d3: 0}",
+    "numbers in another order": "a2=0.4 alpha2=0 d2=0 theta2=pi/2\na1=0 alpha1=pi/2 d1=0.3 theta1=0\na3=0.2 alpha3=0 d3=0 theta3=0",
     "fields by number": "L(1).a = 0; L(1).alpha = pi/2; L(1).d = 0.3; L(1).offset = 0;\n"
     "L(2).a = 0.4; L(2).alpha = 0; L(2).d = 0; L(2).offset = pi/2;\nL(3).a = 0.2; L(3).alpha = 0; L(3).d = 0; L(3).offset = 0;",
     "ranges behind the rows": "Joint i θi di ai αi Range\n1 0 0.3 0 π/2 −170 ~ +170\n2 π/2 0 0.4 0 −100° ~ +130°\n3 0 0 0.2 0 −90 ~ 90",
