@@ -142,8 +142,7 @@ def _name_columns(grid: Grid, order: str) -> None:
     suits = []
     for k in "0123":
         text = " ".join(row[k] for row in grid.rows)
-        known = dict.fromkeys(re.findall(r"[a-z]\w*", text), Entry(1 + 0j)) | {**grid.names}
-        sizes = np.abs([read_entry(row[k], "", known).value.real for row in grid.rows])
+        sizes = np.array(re.findall(NUMBER, text), float)
         is_angle = bool(re.search("pi|°", text)) or np.isin(sizes.round(2), (1.57, 90, 180, 3.14, 45)).any()
         angle, variable = 2 * is_angle or -bool((sizes % 1).any()), 4 * bool(re.search(r"\bq|theta", text))
         suits.append({"a": -angle, "alpha": angle, "d": -angle, "theta": angle + variable})
@@ -164,7 +163,7 @@ def _complete(grid: Grid) -> None:
     columns = {name for row in grid.rows for name in row} & ALL_COLUMNS
     for name in sorted({*COLUMNS} - columns - ({"theta"} if "offset" in columns else set())):
         grid.assume(f"There is no column {name}: it was read as {'the joint variable' if name == 'theta' else 0}.")
-    empty = {name: "" if name in columns else "0" for name in (*COLUMNS, *columns)}
+    empty = {name: "" if name in columns else "0" for name in ALL_COLUMNS}
     types = [TYPES.get(row.get("type", "")[:1].lower(), "?") for row in grid.rows]
     grid.rows = [empty | row | {"type": letter} for row, letter in zip(grid.rows, types, strict=True)]
     if count := sum(not row[name].strip() for row in grid.rows for name in columns):
@@ -177,18 +176,15 @@ def _complete(grid: Grid) -> None:
 def _evaluate(grid: Grid) -> list[dict[str, Entry]]:
     """Evaluate all cells, and add the offset of a joint to its variable; ValueError with the place of what has no sense."""
     entries = []
-    for row, place in zip(
-        grid.rows, grid.places or [f"Row {k}" for k, _ in enumerate(grid.rows, start=1)], strict=True
-    ):
-        read = dict[str, Entry]()
-        moving = "d" if row["type"] == "P" else "theta"
-        for column in (*COLUMNS, *(["offset"] if "offset" in row else [])):
+    for row, place in zip(grid.rows, grid.places, strict=True):
+        read, moving = dict[str, Entry](), "d" if row["type"] == "P" else "theta"
+        for column in (*COLUMNS, "offset"):
             moving = "d" if column == "offset" and read["d"].variables else moving
             try:
                 read[column] = read_entry(row[column], moving if column == "offset" else column, grid.names)
             except ValueError as error:
                 raise ValueError(f"{place}, {column}: {error}") from error
-        one, other = read[moving], read.pop("offset", Entry(0j))
+        one, other = read[moving], read.pop("offset")
         read[moving] = Entry(one.value + other.value, [*one.variables, *other.variables], one.unit or other.unit)
         names = [name for each in read.values() for name in each.variables]
         factors = {column: entry.value.imag for column, entry in read.items() if entry.variables}

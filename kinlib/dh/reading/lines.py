@@ -33,8 +33,7 @@ ONE_CELL = [
 
 def read_lines(text: str, names: Mapping[str, Entry]) -> Grid:
     """Read lines of cells: of the separators, that which gives the most rows is taken."""
-    lines = [line.strip(" \r").rstrip(",") for line in _side_by_side(_lines_of(text))]
-    lines = [line[:-1] if line.find(";") == len(line) - 1 else line for line in lines]
+    lines = [re.sub(r"^([^;]*);$", r"\1", line.strip(" \r").rstrip(",")) for line in _side_by_side(_lines_of(text))]
     headings = {k: _headings(line) for k, line in enumerate(lines) if re.search("(?i)al|twist|psi", line)}
     ways = {k: found for k, found in headings.items() if found}
     separators = [sign for sign in SEPARATORS if sign in text or sign == "\t"]
@@ -107,13 +106,13 @@ def _tell_others(lines: Sequence[str], rows: Collection[int], start: int, grid: 
     """Note the lines with numbers that were not read; between the rows from `start` on, and just below them, they are a problem."""
     last, gap = max(rows), min([k for k in range(max(rows), len(lines)) if not lines[k].strip()], default=len(lines))
     for k in sorted({*range(len(lines))} - {*rows}):
-        if COMMENT.match(lines[k]):
-            continue
         place, count = f"Line {k + 1}, {lines[k].strip()!r:.80}", len(SINGLE_NUMBER.findall(lines[k]))
         is_row = count >= len(NEEDED) and "=" not in lines[k]
-        if count and (start < k < last or (last < k < gap and is_row)):
+        if not count or COMMENT.match(lines[k]):
+            continue
+        if start < k < last or (last < k < gap and is_row):
             grid.problem = grid.problem or place
-        elif is_row or (count and k > last):
+        elif is_row or k > last:
             grid.assume(f"{'No rows were read from here on' if k > last else 'A line was not read'}: {place}.")
             if k > last:
                 break

@@ -79,8 +79,8 @@ def _link(kind: str, inside: str, row: dict[str, str], grid: Grid, place: str) -
         if not grid.assumed:
             grid.assume(f"{kind}(...) was read as ({', '.join(order[:4])}).")
     # Of MATLAB's Link('d', 0.1), what is not given is the variable.
-    is_variable = "d" if re.match(r"\s*['\"]", inside) and "theta" in row and "d" not in row else "theta"
-    row = {"type": "PR"["Prismatic" not in kind and is_variable == "theta"]} | row
+    slides = "Prismatic" in kind or (re.match(r"\s*['\"]", inside) and "theta" in row and "d" not in row)
+    row = {"type": "P" if slides else "R"} | row
     if row.pop("flip", "").lower() in {"true", "1"}:
         moving = "theta" if row["type"] in {"R", "0"} else "d"
         row[moving] = f"-q + {row.get(moving, '0')}"
@@ -110,7 +110,7 @@ def _read_columns(text: str, names: Mapping[str, Entry]) -> Grid:
         grid.convention = "modified"
         found |= {name: {k + 1: value for k, value in found[name].items()} for name in ("a", "alpha")}
     indices = {k for cells in found.values() for k in cells}
-    if joints := sorted(indices - {*found.get("theta", indices)}):
+    if found is entries and (joints := sorted(indices - {*found.get("theta", indices)})):
         grid.assume(f"There is no theta{joints[0]}: each theta without a value was read as the joint variable.")
         found["theta"] |= {k: f"q{k}" for k in joints}
     if twice or not {*found} >= NEEDED or any({*cells} != indices for cells in found.values()):
@@ -120,4 +120,5 @@ def _read_columns(text: str, names: Mapping[str, Entry]) -> Grid:
             f"{counts}{', and two values for ' * bool(twice)}{', '.join(sorted(twice))}. Paste all of one arm."
         )
     grid.rows = [{column: cells[k] for column, cells in found.items()} for k in sorted(indices)]
+    grid.places = [f"Row {k}" for k, _ in enumerate(grid.rows, start=1)]
     return grid
