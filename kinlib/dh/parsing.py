@@ -194,7 +194,6 @@ class Grid:
 
     names, units  the values that names have, and the units of the columns
     convention    whose index a and alpha have, or ""
-    problem       the place of a line that should be a row, but cannot be read
     """
 
     names: Mapping[str, Entry]
@@ -203,7 +202,6 @@ class Grid:
     units: dict[str, str] = field(default_factory=dict)
     assumed: list[Assumption] = field(default_factory=list)
     convention: str = ""
-    problem: str = ""
 
     def assume(self, text: str, argument: str = "", options: Sequence[str] = ()) -> None:
         """Note what was assumed."""

@@ -114,11 +114,7 @@ def read_rows(text: str, *, strict: bool, lengths: Mapping[str, float], joints: 
 def _grid(plain: str, names: Mapping[str, Entry]) -> Grid:
     """Return the rows of cells as the first reader finds them, and tell what it does not read of the text."""
     readers = (read_named, read_lines)
-    grid = next((found for reader in readers if (found := reader(plain, names)).rows or found.problem), Grid(names))
-    if grid.problem:
-        raise ValueError(
-            f"{grid.problem} cannot be read: it does not have as many cells as the other rows, or one of them is no number. Is one empty?"
-        )
+    grid = next((found for reader in readers if (found := reader(plain, names)).rows), Grid(names))
     if not grid.rows:
         raise ValueError(
             "No table was found: no line has four numbers, or more below a heading, and no list names a, alpha, d. "

@@ -12,6 +12,9 @@ MAX_CELLS = 40
 SEPARATORS = ("|", "\t", ";", ",", "  ", " ")
 """What may separate the cells of all rows, the surest first."""
 
+Rows = tuple[Sequence[Heading], int, Mapping[int, dict[str, str]]]
+"""The headings of the columns, the line that has them, and the rows by their lines."""
+
 UNNAMED = [Heading(str(place)) for place in range(len(COLUMNS))]
 """The headings of rows without a heading."""
 
@@ -35,10 +38,36 @@ def read_lines(text: str, names: Mapping[str, Entry]) -> Grid:
     """Read lines of cells: of the separators, that which gives the most rows is taken."""
     lines = [re.sub(r"^([^;]*);$", r"\1", line.strip(" \r").rstrip(",")) for line in _side_by_side(_lines_of(text))]
     headings = {k: _headings(line) for k, line in enumerate(lines) if re.search("(?i)al|twist|psi", line)}
-    ways = {k: found for k, found in headings.items() if found}
-    separators = [sign for sign in SEPARATORS if sign in text or sign == "\t"]
-    grids = [_read(lines, ways, separator, Grid(names)) for separator in separators]
-    return max(grids, key=lambda grid: (len(grid.rows), bool(grid.problem)))
+    ways, grid = {k: found for k, found in headings.items() if found}, Grid(names)
+    reads = [_read(lines, ways, separator, grid) for separator in SEPARATORS if separator in text or separator == "\t"]
+    layout, start, rows = max(reads, key=lambda read: len(read[-1]))
+    if not rows:
+        return grid
+    places = [f"Line {k}, {line.strip()!r:.80}" for k, line in enumerate(lines, start=1)]
+    grid.rows, grid.places = [*rows.values()], [places[k] for k in rows]
+    grid.units = {head.column: head.unit for head in layout if head.unit}
+    grid.convention = min({head.convention for head in layout if head.column in COLUMNS[:2]} - {""}, default="")
+    if "" in lines[min(rows) : max(rows)]:
+        grid.assume("The rows below an empty line were read, too.")
+    columns = [head.column for head in layout]
+    has_r = start >= 0 and {"a", "alpha"} <= {*columns} and re.search(r"\br(?:_?\{?[ij])?\b", lines[start])
+    if has_r and abs(columns.index("a") - columns.index("alpha")) > 1:  # as in alpha, d, theta, r
+        grid.assume("The column r was read as a; some papers call d so.")
+    # Lines with numbers that are no rows are told; between the rows, and just below them, they are a problem.
+    first, last = min(rows) if layout[-1] is UNNAMED[-1] else start, max(rows)
+    gap = min([k for k in range(last, len(lines)) if not lines[k].strip()], default=len(lines))
+    for k in sorted({*range(len(lines))} - {*rows}):
+        count = 0 if COMMENT.match(lines[k]) else len(SINGLE_NUMBER.findall(lines[k]))
+        is_row = count >= len(NEEDED) and "=" not in lines[k]
+        if count and (first < k < last or (last < k < gap and is_row)):
+            raise ValueError(
+                f"{places[k]} cannot be read: it does not have as many cells as the other rows, or one of them is no number. Is one empty?"
+            )
+        if is_row or (count and k > last):
+            grid.assume(f"{'No rows were read from here on' if k > last else 'A line was not read'}: {places[k]}.")
+            if k > last:
+                break
+    return grid
 
 
 def commented_rows(text: str) -> list[str]:
@@ -75,7 +104,7 @@ def _as_lines(group: re.Match[str]) -> str:
     return "\n" + group[1].replace(";", "\n") + "\n" if is_row else group[0]
 
 
-def _read(lines: Sequence[str], ways: Mapping[int, list[list[Heading]]], separator: str, grid: Grid) -> Grid:
+def _read(lines: Sequence[str], ways: Mapping[int, list[list[Heading]]], separator: str, grid: Grid) -> Rows:
     """Read the rows that this separator gives below the first heading that has some, or above it; all rows have one layout."""
     ends = [*ways, len(lines)]
     for start, end in [*pairwise(ends), (-1, ends[0])]:
@@ -85,37 +114,8 @@ def _read(lines: Sequence[str], ways: Mapping[int, list[list[Heading]]], separat
         if separator == "\t" and heads:  # a spreadsheet leaves out empty cells at the end
             cells = {k: each + [""] * (len(heads[0]) - len(each)) * ("\t" in lines[k]) for k, each in cells.items()}
         if layout := _layout(cells.values(), heads, grid) or _layout(cells.values(), [UNNAMED], grid):
-            break
-    else:
-        return grid
-    rows = {k: row for k, each in cells.items() if (row := _row(each, layout, grid))}
-    grid.rows, grid.places = [*rows.values()], [f"Line {k + 1}, {lines[k].strip()!r:.80}" for k in rows]
-    grid.units = {head.column: head.unit for head in layout if head.unit}
-    grid.convention = min({head.convention for head in layout if head.column in COLUMNS[:2]} - {""}, default="")
-    if "" in lines[min(rows) : max(rows)]:
-        grid.assume("The rows below an empty line were read, too.")
-    columns = [head.column for head in layout]
-    has_r = start >= 0 and {"a", "alpha"} <= {*columns} and re.search(r"\br(?:_?\{?[ij])?\b", lines[start])
-    if has_r and abs(columns.index("a") - columns.index("alpha")) > 1:  # as in alpha, d, theta, r
-        grid.assume("The column r was read as a; some papers call d so.")
-    _tell_others(lines, rows, min(rows) if layout[-1] is UNNAMED[-1] else start, grid)
-    return grid
-
-
-def _tell_others(lines: Sequence[str], rows: Collection[int], start: int, grid: Grid) -> None:
-    """Note the lines with numbers that were not read; between the rows from `start` on, and just below them, they are a problem."""
-    last, gap = max(rows), min([k for k in range(max(rows), len(lines)) if not lines[k].strip()], default=len(lines))
-    for k in sorted({*range(len(lines))} - {*rows}):
-        place, count = f"Line {k + 1}, {lines[k].strip()!r:.80}", len(SINGLE_NUMBER.findall(lines[k]))
-        is_row = count >= len(NEEDED) and "=" not in lines[k]
-        if not count or COMMENT.match(lines[k]):
-            continue
-        if start < k < last or (last < k < gap and is_row):
-            grid.problem = grid.problem or place
-        elif is_row or k > last:
-            grid.assume(f"{'No rows were read from here on' if k > last else 'A line was not read'}: {place}.")
-            if k > last:
-                break
+            return layout, start, {k: row for k, each in cells.items() if (row := _row(each, layout, grid))}
+    return [], -1, {}
 
 
 def _headings(line: str) -> list[list[Heading]]:
