@@ -119,9 +119,9 @@ def _read(lines: Sequence[str], ways: Mapping[int, list[list[Heading]]], separat
 
 
 def _headings(line: str) -> list[list[Heading]]:
-    """Return the ways of reading a line as headings of at least three columns, those of most: all its cells, and only the named ones.
+    """Return the ways of reading a line as headings of at least three columns, those of most.
 
-    In a comment the names have nothing between them.
+    In a comment the names have nothing between them, and what is beside them is no column.
     """
     comment, ways, most = COMMENT.match(line), list[list[Heading]](), len(NEEDED)
     line = line[comment.end() :] if comment else line
@@ -132,11 +132,10 @@ def _headings(line: str) -> list[list[Heading]]:
         places = [k for k, head in enumerate(heads) if head.column in ALL_COLUMNS]
         if len(places) < most or len({heads[k].column for k in places}) < len(places):
             continue
-        named = heads[places[0] : places[-1] + 1]
-        if not comment or len(named) == len(places):
+        heads = heads[places[0] : places[-1] + 1] if comment else heads
+        if not comment or len(heads) == len(places):
             heads[0] = heads[0] if heads[0].column else Heading("label")
-            alone = [named] if comment or len(heads) - len(named) < len(NEEDED) else []
-            ways, most = [*(ways if len(places) == most else []), heads, *alone], len(places)
+            ways, most = [*(ways if len(places) == most else []), heads], len(places)
     return ways
 
 
