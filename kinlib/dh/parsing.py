@@ -174,7 +174,7 @@ def parse_heading(head: str) -> Heading:
     stem = plain[: index.start()] if index else plain
     words = [word[:1] + word[1:].removesuffix("s") for word in re.findall(r"(?<![\[(a-z])[a-z]+", stem)]
     alone = [word for word in words if word not in OTHER_WORDS]  # in "link length a" and "alpha [grados]"
-    known = [re.sub("[^a-z0]", "", plain), re.sub("[^a-z0]", "", stem), "".join(words), *alone[: len(alone) == 1]]
+    known = [re.sub("[^a-z0]", "", plain), "".join(words), *alone[: len(alone) == 1]]
     column = next((COLUMN_NAMES[text] for text in known if text in COLUMN_NAMES), "")
     convention = "" if not index else "modified" if index[1] else "standard" * bool(re.search("[ijkn]", index[0]))
     return Heading("offset" if column == "theta" and "offset" in words else column, unit, convention)

@@ -71,8 +71,8 @@ def read_rows(text: str, *, strict: bool, lengths: Mapping[str, float], joints: 
     """
     if len(text) > MAX_TEXT_LENGTH:
         raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
-    if re.search(r"[\w.]{500}", text):  # which would take long
-        raise ValueError("No table was found: the text has a word of 500 characters or more.")
+    if re.search(r"[\w.]{500}|\t{500}", text):  # which would take long
+        raise ValueError("No table was found: the text has a word of 500 characters or more, or as many tabs.")
     own_joints, own_signs = JOINTS.search(text), SIGNS.search(text)
     plain = plain_text(END.sub("", SIGNS.sub("", JOINTS.sub("", text))))
     if unit := FOREIGN.search(plain):

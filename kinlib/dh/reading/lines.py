@@ -37,10 +37,8 @@ ONE_CELL = [
 def read_lines(text: str, names: Mapping[str, Entry]) -> Grid:
     """Read lines of cells: of the separators, that which gives the most rows is taken."""
     lines = [re.sub(r"^([^;]*);$", r"\1", line.strip(" \r").rstrip(",")) for line in _side_by_side(_lines_of(text))]
-    headings = {k: _headings(line) for k, line in enumerate(lines) if re.search("(?i)al|twist|psi", line)}
-    ways, grid = {k: found for k, found in headings.items() if found}, Grid(names)
-    reads = [_read(lines, ways, separator, grid) for separator in SEPARATORS if separator in text or separator == "\t"]
-    layout, start, rows = max(reads, key=lambda read: len(read[-1]))
+    grid, separators = Grid(names), [sign for sign in SEPARATORS if sign in text or sign == "\t"]
+    layout, start, rows = max((_read(lines, sign, grid) for sign in separators), key=lambda read: len(read[-1]))
     if not rows:
         return grid
     places = [f"Line {k}, {line.strip()!r:.80}" for k, line in enumerate(lines, start=1)]
@@ -104,45 +102,47 @@ def _as_lines(group: re.Match[str]) -> str:
     return "\n" + group[1].replace(";", "\n") + "\n" if is_row else group[0]
 
 
-def _read(lines: Sequence[str], ways: Mapping[int, list[list[Heading]]], separator: str, grid: Grid) -> Rows:
+def _read(lines: Sequence[str], separator: str, grid: Grid) -> Rows:
     """Read the rows that this separator gives below the first heading that has some, or above it; all rows have one layout."""
-    ends = [*ways, len(lines)]
+    named = [k for k, line in enumerate(lines) if re.search("(?i)al|twist|psi", line)]
+    headings = {k: heads for k in named if (heads := _heading(lines[k], separator))}
+    ends = [*headings, len(lines)]
     for start, end in [*pairwise(ends), (-1, ends[0])]:
         block = [k for k in range(start + 1, end) if re.search(r"\w", lines[k]) and not COMMENT.match(lines[k])]
-        heads = ways.get(start, ways.get(end, []))
+        heads = headings.get(start, headings.get(end, []))
         cells = {k: _split(lines[k], separator) for k in block}
-        if separator == "\t" and heads:  # a spreadsheet leaves out empty cells at the end
-            cells = {k: each + [""] * (len(heads[0]) - len(each)) * ("\t" in lines[k]) for k, each in cells.items()}
-        if layout := _layout(cells.values(), heads, grid) or _layout(cells.values(), [UNNAMED], grid):
+        if separator == "\t":  # a spreadsheet leaves out empty cells at the end
+            cells = {k: each + [""] * (len(heads) - len(each)) * ("\t" in lines[k]) for k, each in cells.items()}
+        if layout := _layout(cells.values(), heads, grid) or _layout(cells.values(), UNNAMED, grid):
             return layout, start, {k: row for k, each in cells.items() if (row := _row(each, layout, grid))}
     return [], -1, {}
 
 
-def _headings(line: str) -> list[list[Heading]]:
-    """Return the ways of reading a line as headings of at least three columns, those of most.
+def _heading(line: str, separator: str) -> list[Heading]:
+    """Return a line as headings of at least three columns, with this separator or as words; [] if it is none.
 
     In a comment the names have nothing between them, and what is beside them is no column.
     """
-    comment, ways, most = COMMENT.match(line), list[list[Heading]](), len(NEEDED)
+    comment, best, most = COMMENT.match(line), list[Heading](), len(NEEDED) - 1
     line = line[comment.end() :] if comment else line
-    for cells in [*(_split(line, sign) for sign in SEPARATORS if sign in line), WORDS.split(line)[:MAX_CELLS]]:
+    for cells in (_split(line, separator), WORDS.split(line)[:MAX_CELLS]):
         heads = [parse_heading(cell) for cell in cells]
         if "d" not in {head.column for head in heads}:
             heads = [head._replace(column="d") if head.column == "offset" else head for head in heads]
         places = [k for k, head in enumerate(heads) if head.column in ALL_COLUMNS]
-        if len(places) < most or len({heads[k].column for k in places}) < len(places):
+        if len(places) <= most or len({heads[k].column for k in places}) < len(places):
             continue
         heads = heads[places[0] : places[-1] + 1] if comment else heads
         if not comment or len(heads) == len(places):
             heads[0] = heads[0] if heads[0].column else Heading("label")
-            ways, most = [*(ways if len(places) == most else []), heads], len(places)
-    return ways
+            best, most = heads, len(places)
+    return best
 
 
-def _layout(lines: Collection[list[str]], ways: Sequence[list[Heading]], grid: Grid) -> list[Heading]:
-    """Return the headings of the first line that is a row; one for its label is added if it has none. [] if no line is a row."""
-    labelled = [each for way in ways for each in (way, [Heading("label"), *way]) if each[1].column != "label"]
-    return next((heads for cells in lines for heads in labelled if _row(cells, heads, grid)), [])
+def _layout(lines: Collection[list[str]], heads: list[Heading], grid: Grid) -> list[Heading]:
+    """Return the headings in the way that makes a line a row; one for a label is added if there is none. [] if no line is a row."""
+    ways = [each for each in (heads, [Heading("label"), *heads]) if each[1:] and each[1].column != "label"]
+    return next((each for cells in lines for each in ways if _row(cells, each, grid)), [])
 
 
 def _row(cells: list[str], layout: Sequence[Heading], grid: Grid) -> dict[str, str]:

@@ -123,6 +123,7 @@ def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():
         ("a alpha d theta\n0 90° 0.1 q1*q2\n0 0 0 q2", r"Line 2, .*, theta: an entry must be a number"),
         ("a = [0, 1]\nalpha = [0, 0]\nd = [1]", r"lists of the same length; got a \(2\), alpha \(2\), d \(1\)"),
         ("x" * 200_000, "must have at most 40000 characters; got 200000"),
+        ("a =" + "\t" * 30_000, "or as many tabs"),
         ("9" * 30_000, "a word of 500 characters or more"),
         ("All lengths are in inches.\na alpha d theta\n0 90 6 q1", "must be in m, cm or mm; the text has 'inches'"),
         ("i a(in) alpha(deg) d(in) theta\n1 0 -90 26.45 0", r"must be in m, cm or mm; the text has '\(in\)'"),
