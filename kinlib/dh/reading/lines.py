@@ -119,21 +119,22 @@ def _read(lines: Sequence[str], separator: str, grid: Grid) -> Rows:
 
 
 def _heading(line: str, separator: str) -> list[Heading]:
-    """Return a line as headings of at least three columns, with this separator or as words; [] if it is none.
+    """Return a line as headings of at least three columns, with this separator, blanks, or as words; [] if it is none.
 
     In a comment the names have nothing between them, and what is beside them is no column.
     """
     comment, best, most = COMMENT.match(line), list[Heading](), len(NEEDED) - 1
     line = line[comment.end() :] if comment else line
-    for cells in (_split(line, separator), WORDS.split(line)[:MAX_CELLS]):
+    for cells in (_split(line, separator), _split(line, " "), WORDS.split(line)[:MAX_CELLS]):
         heads = [parse_heading(cell) for cell in cells]
         if "d" not in {head.column for head in heads}:
             heads = [head._replace(column="d") if head.column == "offset" else head for head in heads]
-        places = [k for k, head in enumerate(heads) if head.column in ALL_COLUMNS]
+        named = [k for k, head in enumerate(heads) if head.column]
+        places = [k for k in named if heads[k].column in ALL_COLUMNS]
         if len(places) <= most or len({heads[k].column for k in places}) < len(places):
             continue
-        heads = heads[places[0] : places[-1] + 1] if comment else heads
-        if not comment or len(heads) == len(places):
+        heads = heads[named[0] : named[-1] + 1] if comment else heads
+        if not comment or len(heads) == len(named):
             heads[0] = heads[0] if heads[0].column else Heading("label")
             best, most = heads, len(places)
     return best

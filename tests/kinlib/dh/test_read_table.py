@@ -178,6 +178,9 @@ SAME_ARM = {
     "arm = SerialLink([L1 L2 L3], 'name', 'arm');",
     "computed values": "deg = pi/180;\nL2 = 0.1 + 0.3  # m\nDH(d=0.3, alpha=90*deg), DH(a=L2, offset=90.0*deg), DH(a=0.2)",
     "a column below the rows": "r.DH=[0,0.3,0,pi/2;\n pi/2,0,0.4,0;\n 0,0,0.2,0];%theta,d,a,alpha\nr.base=[0;0;0.329];%origin",
+    "one space in a heading, two between cells": "Kinematics theta [rad] d [m]  a [m]  alpha [rad]\n"
+    "Joint 1    0           0.3    0      pi/2\nJoint 2    pi/2        0      0.4    0\nJoint 3    0           0      0.2    0",
+    "types beside the columns of a comment": "# theta d a alpha type\nq1 0.3 0 90deg R\nq2+pi/2 0 0.4 0 R\nq3 0 0.2 0 R",
     "a figure inside a name": "T2_offset = pi/2\nd | a | alpha | offset\n0.3|0|pi/2|0\n0|0.4|0|T2_offset\n0|0.2|0|0",
     "prose in a comment": "% dh = [a(i), alpha(i), d(i), theta(i)]\n% The rows correspond to link 1, 2, 3, 4.\n"
     "dh = [0, pi/2, 0.3, 0;   % first\n 0.4, 0, 0, pi/2;\n 0.2, 0, 0, 0];",
