@@ -12,7 +12,7 @@ MAX_CELLS = 40
 SEPARATORS = ("|", "\t", ";", ",", "  ", " ")
 """What may separate the cells of all rows, the surest first."""
 
-Rows = tuple[Sequence[Heading], int, Mapping[int, dict[str, str]]]
+Found = tuple[Sequence[Heading], int, Mapping[int, dict[str, str]]]
 """The headings of the columns, the line that has them, and the rows by their lines."""
 
 UNNAMED = [Heading(str(place)) for place in range(len(COLUMNS))]
@@ -102,7 +102,7 @@ def _as_lines(group: re.Match[str]) -> str:
     return "\n" + group[1].replace(";", "\n") + "\n" if is_row else group[0]
 
 
-def _read(lines: Sequence[str], separator: str, grid: Grid) -> Rows:
+def _read(lines: Sequence[str], separator: str, grid: Grid) -> Found:
     """Read the rows that this separator gives below the first heading that has some, or above it; all rows have one layout."""
     named = [k for k, line in enumerate(lines) if re.search("(?i)al|twist|psi", line)]
     headings = {k: heads for k in named if (heads := _heading(lines[k], separator))}
