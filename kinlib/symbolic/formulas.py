@@ -21,7 +21,7 @@ from kinlib.arrays import tolerances, validation
 from kinlib.chains.chain import Chain
 from kinlib.dh.parsing import is_plausible_angle
 from kinlib.dh.table import Convention, validate_convention
-from kinlib.symbolic.merge_rotations import AxisRotation, Factors, homogeneous, multiply, rotation, skew_symmetric
+from kinlib.symbolic.merge_rotations import AxisRotation, Factors, homogeneous, multiply, rotation
 
 __all__ = ["exact", "exp", "fk", "joints", "screw", "shorthand", "table_fk"]
 
@@ -47,7 +47,7 @@ def exp(x: Any) -> sp.Matrix:
     R = rotation(w, theta)
     if len(x) == 3:
         return R
-    W = skew_symmetric(w)
+    W = w.hat()
     G = theta * sp.eye(3) + (1 - sp.cos(theta)) * W + (theta - sp.sin(theta)) * W * W
     return homogeneous(R, (G * (x[3:, 0] / theta)).applyfunc(sp.expand))
 

@@ -55,7 +55,7 @@ def multiply(factors: Iterable[AxisRotation | sp.Matrix], end: sp.Matrix) -> sp.
     T = homogeneous(constant, sp.zeros(3, 1)) * end
     for group in reversed(groups):
         T = group.multiply(T)
-    return T.applyfunc(_collect_signs)
+    return T
 
 
 @dataclass
@@ -87,31 +87,10 @@ def rotation(axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
 
     Source: Modern Robotics, (3.51), Rodrigues' formula.
     """
-    W = skew_symmetric(axis)
+    W = axis.hat()
     return sp.eye(3) + sp.sin(angle) * W + (1 - sp.cos(angle)) * W * W
-
-
-def skew_symmetric(w: sp.Matrix) -> sp.Matrix:
-    """Write the cross product with w as a skew-symmetric matrix, 3x3."""
-    a, b, c = w
-    return sp.Matrix([[0, -c, b], [c, 0, -a], [-b, a, 0]])
 
 
 def homogeneous(R: sp.Matrix, p: sp.Matrix) -> sp.Matrix:
     """Write the homogeneous transformation with a rotation and a position, 4x4."""
     return R.row_join(p).col_join(sp.Matrix([[0, 0, 0, 1]]))
-
-
-def _collect_signs(expression: sp.Expr) -> sp.Expr:
-    """Move minus signs out of sums, so that no factor of a product is a sum whose minus could be in front of the product."""
-
-    def collect(product: sp.Expr) -> sp.Expr:
-        number, factors = product.as_coeff_mul()
-        for i, factor in enumerate(factors):
-            if factor.is_Add:
-                negative = [bool(term.as_coeff_Mul()[0].is_negative) for term in factor.args]
-                if all(negative) or (any(negative) and number.is_negative):
-                    number, factors = -number, (*factors[:i], -factor, *factors[i + 1 :])
-        return sp.Mul(number, *factors)
-
-    return expression.replace(lambda part: part.is_Mul, collect)
