@@ -21,9 +21,10 @@ from kinlib.arrays.formatting import format_degrees, format_matrix, format_numbe
 from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import youbot
+from kinlib.dh.alignment import CHOICES
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.diagnosis import Diagnosis, diagnose
-from kinlib.dh.equivalence import CHOICES, describe_pose, equivalent, measured_difference
+from kinlib.dh.equivalence import describe_pose, equivalent, measured_difference
 from kinlib.dh.explanation.rounding import with_right_angles
 from kinlib.dh.explanation.search import TableExplanation, explain_by_choices
 from kinlib.dh.parsing import Assumption

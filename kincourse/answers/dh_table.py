@@ -18,8 +18,9 @@ from kincourse.answers.table_rows import POSE_TOLERANCE_FACTOR, wrong_rows
 from kincourse.mistakes.dh import slips_of_table, symbol, with_symbols
 from kinlib.arrays import validation
 from kinlib.chains.chain import largest_difference, random_configurations
+from kinlib.dh.alignment import CHOICES
 from kinlib.dh.diagnosis import Diagnosis, diagnose
-from kinlib.dh.equivalence import CHOICES, Equivalence, equivalent
+from kinlib.dh.equivalence import Equivalence, equivalent
 from kinlib.dh.slips import Fault
 from kinlib.dh.table import DHTable
 from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable
@@ -224,7 +225,7 @@ def _diagnosis(given: DHTable, right: DHTable, anchored: bool) -> Diagnosis:
 
 def _choices(found: Equivalence) -> str:
     """Describe the choices in which a table differs from ours, each in a sentence."""
-    return " ".join(f"{text[0].upper()}{text[1:]}." for _, text in found.choices())
+    return " ".join(f"{text[0].upper()}{text[1:]}." for text in found.choices)
 
 
 def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:

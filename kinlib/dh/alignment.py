@@ -12,9 +12,8 @@ What remains, base, tool and the zeros of prismatic joints, is linear, so a leas
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from itertools import combinations, pairwise
-from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +25,10 @@ from kinlib.dh.common_normal import frame_axes
 from kinlib.rigid.lie import adjoint, cross, exp, homogeneous, inverse, perpendicular, vee, wrap_angle
 
 Booleans = NDArray[np.bool_]
+
+CHOICES = {"base": "wrong base", "tool": "wrong tool", "zeros": "another zero", "signs": "sign of a joint value"}
+"""What two descriptions of one mechanism may choose: the frames at both ends, the zero and the sign of each joint; and the name of each
+as a fault, where it is fixed."""
 
 
 def neighbours(chain: Chain) -> tuple[Array, Array]:
@@ -109,7 +112,7 @@ SEARCHED_AS_PARALLEL_RAD = 2e-5
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Map:
-    """A map from a chain a to a chain b, X T_a(s q + c) Y, and the largest difference of its poses from T_b(q); inf if unknown."""
+    """A map from a chain a to a chain b, X T_a(s q + c) Y, and the largest difference of its poses from T_b(q); inf if there is none."""
 
     signs: Array = field(default_factory=lambda: np.ones(0))
     offsets: Array = field(default_factory=lambda: np.zeros(0))
@@ -117,20 +120,19 @@ class Map:
     tool: Array = field(default_factory=lambda: np.eye(4))
     difference: float = np.inf
 
-    def measured(self, one: Chain, target: Array) -> Self:
-        """Return the map with the difference of X T_a(s q + c) Y from T_b(q), which is given, at random configurations."""
-        q = random_configurations(one.n, COMPARED_CONFIGURATIONS)
-        poses = self.base @ one.fk(self.signs * q + self.offsets) @ self.tool
-        return replace(self, difference=largest_difference(target, poses))
 
-
-def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> list[Map]:
+def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], tolerance: float, loose: float) -> list[Map]:
     """Find maps from one chain to another with the same joint types whose axes agree to within `loose`, in metres and radians.
 
-    The search begins with the choices of the signs with which the axes agree best and the fewest choices change.
+    The first map changes nothing. Unless that is enough, to within the tolerance, the search for others begins with the choices of the
+    signs with which the axes agree best and the fewest choices change.
     """
     q = random_configurations(one.n, COMPARED_CONFIGURATIONS)
-    invariants, target = AxisInvariants(other, 100 * loose), other.fk(q)
+    target = other.fk(q)
+    found = [Map(np.ones(one.n), np.zeros(one.n), difference=largest_difference(target, one.fk(q)))]
+    if found[0].difference <= tolerance or fixed >= {*CHOICES}:
+        return found
+    invariants = AxisInvariants(other, 100 * loose)
     s, off = invariants.sign_patterns(invariants.of(one.lines.axis, one.joint_points))
     offsets, R = _rotated(one, other, s, fixed, loose / 2)
     is_constant = np.array([letter == "P" or "zeros" in fixed for letter in one.joint_types])
@@ -146,15 +148,12 @@ def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float) 
     # The zero of the first joint is a motion of the base, and that of the last one a motion of the tool.
     is_free[6] &= "base" in fixed
     is_free[-7] &= "tool" in fixed
-    found = list[Map]()
     for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros, off > 0.01)) if admitted[k]][:MAX_STARTS]:
         X = homogeneous(R[k], np.zeros(3))
         Y = np.eye(4) if "tool" in fixed else inverse(X @ one.fk(offsets[k])) @ other.home
-        start = Map(s[k], offsets[k], X, Y).measured(one, target)
-        X, change, Y = fitted(one, s[k] * q + offsets[k], X, Y, target, lambda _: is_free, steps=7)
-        moved = replace(start, offsets=offsets[k] + change, base=X, tool=Y).measured(one, target)
-        found.append(min(moved, start, key=lambda each: each.difference))
-        if len(found) >= 4 and min(each.difference for each in found) <= loose:  # of several, one is described best
+        X, change, Y, difference = fitted(one, s[k] * q + offsets[k], X, Y, target, lambda _: is_free, steps=7)
+        found.append(Map(s[k], offsets[k] + change, X, Y, difference))
+        if len(found) > 4 and min(each.difference for each in found[1:]) <= loose:  # of several, one is described best
             break
     return found
 
@@ -201,16 +200,16 @@ def _are_skew(u: Array, v: Array) -> bool:
 
 def fitted(  # noqa: PLR0917
     chain: Chain, values: Array, X: Array, Y: Array, target: Array, scale: Callable[[Array], Array], steps: int
-) -> tuple[Array, Array, Array]:
-    """Fit the poses X T(values + change) Y to a target by least-squares steps, and return X, change (n,) and Y.
+) -> tuple[Array, Array, Array, float]:
+    """Fit the poses X T(values + change) Y to a target by least-squares steps: X, change (n,), Y and the largest difference left.
 
     values (N, n), target (N, 4, 4). The scale (6 + n + 6,) of X, the changes and Y, of the changes so far: 0 is fixed, large is cheap.
     The error is the small twist of target^-1 X T Y; with M = X T Y and the body Jacobian J of the chain, it changes by
     Ad(M^-1) dX + Ad(Y^-1) J dvalues + dY.
     """
     change = np.zeros(chain.n)
+    M = X @ chain.fk(values) @ Y
     for _ in range(steps):
-        M = X @ chain.fk(values + change) @ Y
         E = inverse(target) @ M
         R = E[..., :3, :3]
         error = np.concatenate([vee((R - np.swapaxes(R, -1, -2)) / 2), E[..., :3, 3]], axis=-1).ravel()
@@ -219,10 +218,9 @@ def fitted(  # noqa: PLR0917
         J = np.concatenate([adjoint(inverse(M)), by_values, by_tool], axis=-1).reshape(error.size, -1)
         weights = scale(change)
         step = np.linalg.lstsq(J * weights, J[:, 6:-6] @ change - error, rcond=1e-10)[0] * weights
-        if not np.abs(step).max() < 1e3:  # it diverges
-            break
         is_done = np.abs(step - np.pad(change, 6)).max() < 1e-13
-        X, Y, change = exp(step[:6]) @ X, Y @ exp(step[-6:]), step[6:-6]
-        if is_done:
+        if is_done or not np.abs(step).max() < 1e3:  # or it diverges
             break
-    return X, change, Y
+        X, Y, change = exp(step[:6]) @ X, Y @ exp(step[-6:]), step[6:-6]
+        M = X @ chain.fk(values + change) @ Y
+    return X, change, Y, largest_difference(target, M)

@@ -20,10 +20,10 @@ from kinlib.arrays.formatting import format_number
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.alignment import neighbours
-from kinlib.dh.equivalence import CHOICES, Equivalence, equivalent, measured_difference
+from kinlib.dh.alignment import CHOICES, neighbours
+from kinlib.dh.equivalence import Equivalence, equivalent, measured_difference
 from kinlib.dh.explanation.rounding import explain_by_numbers, rounding_effect, typed_half_units, with_right_angles
-from kinlib.dh.explanation.search import CHOICE_FAULTS, TableExplanation, explain_by_choices, explain_by_slips
+from kinlib.dh.explanation.search import TableExplanation, explain_by_choices, explain_by_slips
 from kinlib.dh.slips import ANGLES, NUMBERS, Fault
 from kinlib.dh.table import Convention, DHTable
 from kinlib.urdf.chains import load_urdf
@@ -126,7 +126,7 @@ class Diagnosis:
         yield f"For the same q, the poses of the table and of the arm {differ}"
         yield f"The table describes the arm{digits}, up to these choices:"
         yield from (fault.text for fault in choices)
-        kinds = {name for name, fault in CHOICE_FAULTS.items() if any(each.name == fault for each in choices)}
+        kinds = {name for name, fault in CHOICES.items() if any(each.name == fault for each in choices)}
         if changed := sum(fault.row is not None for fault in choices):  # zeros and signs
             fixed, exact = frozenset(CHOICES) - ({"base", "tool"} & kinds), np.zeros_like(self.table.rows)
             one_slip = explain_by_slips(self.table, self.arm, fixed, self.comparison.tolerance, 1, exact)

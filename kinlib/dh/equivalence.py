@@ -22,15 +22,12 @@ from kinlib.arrays.formatting import format_degrees, format_different, format_nu
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, NEARLY_PARALLEL_RAD, PARALLEL_TOL_RAD, ROUNDING_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
-from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Booleans, Map, nearest_maps, neighbours
+from kinlib.dh.alignment import CHOICES, Booleans, Map, nearest_maps, neighbours
 from kinlib.dh.parsing import MAX_LENGTH_M
 from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import homogeneous, log
 
 Verdict = Literal["same", "different", "undecided"]
-
-CHOICES = ("base", "tool", "zeros", "signs")
-"""What two descriptions of one mechanism may choose: the frames at both ends, the zero and the sign of each joint."""
 
 NEARLY_PARALLEL_LOSS = 1e-5
 """By how much the poses of a right description may be off, on an arm of one metre, if some of its axes are nearly parallel."""
@@ -75,30 +72,22 @@ class Equivalence(Map):
         tool: rotated by 120° about (0.5774, 0.5774, 0.5774), translated by (-1, 0, 0) m
         """
         if self.verdict == "same":
-            choices = [text for _, text in self.choices()]
-            of = ", up to these choices of the second:" if choices else "."
-            return "\n".join([f"These are the same mechanism{of}", *choices])
+            of = ", up to these choices of the second:" if self.choices else "."
+            return "\n".join([f"These are the same mechanism{of}", *self.choices])
         differ = self.verdict == "different"
         words = "These mechanisms differ" if differ else "Whether these are the same cannot be decided"
         return f"{words}. {self.reason}"
 
-    def choices(self) -> list[tuple[str, str]]:
-        """Describe the choices in which the two differ, each with its name in `fixed`.
-
-        >>> found = equivalent(kl.robots.rpr(), kl.robots.rpr().changed(screws=kl.robots.rpr().screws * [[-1], [1], [1]]))
-        >>> found.choices()
-        [('signs', 'joint 1: q counts in the opposite direction')]
-        """
-        found = []
-        for joint, letter in enumerate(self.joint_types, start=1):
-            if self.signs[joint - 1] < 0:
-                found.append(("signs", f"joint {joint}: q counts in the opposite direction"))
-            if text := format_offset(letter, float(self.offsets[joint - 1])):
-                found.append(("zeros", f"joint {joint}: its zero is {text} away"))
-        for name, T in (("base", self.base), ("tool", self.tool)):
-            if (text := describe_pose(T, self.tolerance)) != "the identity":
-                found.append((name, f"{name}: {text}"))
-        return found
+    @property
+    def choices(self) -> list[str]:
+        """The choices in which the two differ, in words."""
+        joints = enumerate(zip(self.joint_types, self.signs, self.offsets.tolist(), strict=True), start=1)
+        found = list[str]()
+        for joint, (letter, sign, offset) in joints:
+            found += [f"joint {joint}: q counts in the opposite direction"] * bool(sign < 0)
+            found += [f"joint {joint}: its zero is {text} away" for text in [format_offset(letter, offset)] if text]
+        ends = {"base": describe_pose(self.base, self.tolerance), "tool": describe_pose(self.tool, self.tolerance)}
+        return [*found, *(f"{name}: {text}" for name, text in ends.items() if text != "the identity")]
 
 
 def format_offset(letter: str, offset: float) -> str:
@@ -171,11 +160,8 @@ def equivalent(
         return Equivalence(verdict="different", reason=types)
     angles = np.array([neighbours(one)[0], neighbours(other)[0]])
     near: Booleans = np.any((angles > PARALLEL_TOL_RAD) & (angles < NEARLY_PARALLEL_RAD), axis=0)
-    q = random_configurations(one.n, COMPARED_CONFIGURATIONS)
-    found = [Map(np.ones(one.n), np.zeros(one.n)).measured(one, other.fk(q))]
-    if found[0].difference > tolerance and len({*fixed}) < len(CHOICES):
-        loose = max(10 * tolerance, NEARLY_PARALLEL_LOSS * near.any())
-        found += nearest_maps(one, other, frozenset(fixed), loose)
+    loose = max(10 * tolerance, NEARLY_PARALLEL_LOSS * near.any())
+    found = nearest_maps(one, other, frozenset(fixed), tolerance, loose)
     verdict: Verdict = "same"
     reason = ""
     if same := [each for each in found if each.difference <= tolerance]:
@@ -218,15 +204,15 @@ def _description_length(found: Map) -> tuple[int, float]:
 
 def _largest_axis_difference(one: Chain, other: Chain, is_near: Booleans, tolerance: float) -> str:
     """Describe the pair of neighbouring axes whose angle or distance differs most, if they do not all agree."""
-    angles, distances = np.array([neighbours(one), neighbours(other)]).swapaxes(0, 1)
-    agree = "The angles and the distances of neighbouring axes agree; what differs is a distance along an axis, or a choice that is fixed."
-    found = [(tolerance, agree)]
-    for i, near in enumerate(is_near):
-        first, second = format_different(*np.degrees(angles[:, i]).tolist())
-        text = f"make an angle of {first} degrees in the first, and of {second} degrees in the second."
-        found.append((abs(float(np.diff(angles[:, i])[0])), f"Axes {i + 1} and {i + 2} {text}"))
-        if "P" not in one.joint_types[i : i + 2] and not near:
-            first, second = format_different(*distances[:, i].tolist())
-            text = f"are {first} m apart in the first, and {second} m in the second."
-            found.append((abs(float(np.diff(distances[:, i])[0])), f"Axes {i + 1} and {i + 2} {text}"))
-    return max(found)[1]
+    values = np.array([neighbours(one), neighbours(other)])
+    difference = np.abs(values[1] - values[0])
+    slides = np.array([*one.joint_types]) == "P"
+    difference[1, is_near | slides[:-1] | slides[1:]] = 0.0
+    if difference.max(initial=0.0) <= tolerance:
+        agree = "The angles and the distances of neighbouring axes agree"
+        return f"{agree}; what differs is a distance along an axis, or a choice that is fixed."
+    kind, i = np.unravel_index(difference.argmax(), difference.shape)
+    first, second = format_different(*(values[:, kind, i] * (1.0 if kind else 180 / np.pi)).tolist())
+    if kind:
+        return f"Axes {i + 1} and {i + 2} are {first} m apart in the first, and {second} m in the second."
+    return f"Axes {i + 1} and {i + 2} make an angle of {first} degrees in the first, and of {second} degrees in the second."

@@ -93,8 +93,8 @@ def explain_by_numbers(
     tolerance, half = max(noise, 1e-6), np.maximum(half_unit, 1e-6)
     is_free = np.zeros(half.shape, dtype=bool)
     is_free[tuple(np.transpose(joint_entries(table.joints)))] = "zeros" not in fixed
-    rough = sorted(nearest_maps(table.to_chain(), arm, fixed, ROUGH), key=lambda each: each.difference)[:2]
-    for start in [Map(np.ones(arm.n), np.zeros(arm.n)), *rough]:
+    same, *rough = nearest_maps(table.to_chain(), arm, fixed, tolerance, ROUGH)
+    for start in [same, *sorted(rough, key=lambda each: each.difference)[:2]]:
         change = _few_changes(table, arm, start, fixed, np.where(is_free, 1.0, half))
         is_changed = ~is_free & (np.abs(change) > 1.05 * half)
         right = (table.rows + change).round(7)

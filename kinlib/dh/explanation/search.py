@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
-from kinlib.dh.alignment import AxisInvariants
+from kinlib.dh.alignment import CHOICES, AxisInvariants
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.equivalence import CHOICES, Equivalence, describe_pose, equivalent, format_offset
+from kinlib.dh.equivalence import Equivalence, describe_pose, equivalent, format_offset
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.slips import NUMBERS, Fault, corrections, starting_tables
 from kinlib.dh.table import DHTable, joint_axes, row_transforms
@@ -29,9 +29,6 @@ FILTER_TOL_FACTOR = 3
 """How many times the tolerance an invariant may be off before a correction is refuted by it."""
 
 MAX_PAIRS, MAX_COMPARED = 20_000, 100
-
-CHOICE_FAULTS = {"base": "wrong base", "tool": "wrong tool", "zeros": "another zero", "signs": "sign of a joint value"}
-"""The faults that are no mistakes where the choices of these names are free."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +47,7 @@ class TableExplanation:
     @property
     def is_a_choice(self) -> bool:
         """Whether the table is right up to choices that are fixed, and the faults are these choices."""
-        return {fault.name for fault in self.faults} <= {*CHOICE_FAULTS.values()}
+        return {fault.name for fault in self.faults} <= {*CHOICES.values()}
 
     def says_as_much(self, other: Self) -> bool:
         """Whether another explanation leads to the same table, up to full turns."""

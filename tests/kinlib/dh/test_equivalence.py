@@ -10,8 +10,7 @@ from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, equivalent
-from kinlib.dh.alignment import AxisInvariants
-from kinlib.dh.equivalence import CHOICES
+from kinlib.dh.alignment import CHOICES, AxisInvariants
 
 SEEDS = st.integers(0, 2**32 - 1)
 
