@@ -1,7 +1,6 @@
 """Machines in dimensioned drawings: random lengths that can be read off, and the mistakes that people make when they read them."""
 
 from collections.abc import Iterable, Iterator
-from itertools import accumulate
 
 import numpy as np
 
@@ -56,7 +55,7 @@ def _last_steps(values: Array) -> Array:
 
 def table_frames(table: DHTable) -> Array:
     """The frames 0 to n of a table in {s}, at home: (n + 1, 4, 4)."""
-    return np.array([*accumulate([table.base, *table.link_transforms(np.zeros(table.n))], np.matmul)])
+    return table.frames(np.zeros(table.n))
 
 
 def draw_table_frames(table: DHTable) -> Picture:

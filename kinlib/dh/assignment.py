@@ -15,7 +15,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
-from itertools import accumulate
 
 import numpy as np
 
@@ -106,8 +105,7 @@ def _snapped(found: FrameAssignment) -> FrameAssignment:
     rows[:, [1, 3]] = np.radians(np.where(near, degrees.round(), degrees.round(4))) + 0.0
     base, tool = (_clean_pose(T) for T in (table.base, table.tool))
     clean = table.changed(rows=rows, base=base, tool=tool)
-    frames = np.array([*accumulate(clean.link_transforms(np.zeros(chain.n)), np.matmul, initial=clean.base)])
-    return FrameAssignment(chain, clean, frames, found.normals)
+    return FrameAssignment(chain, clean, clean.frames(np.zeros(chain.n)), found.normals)
 
 
 def _clean_pose(T: Array) -> Array:

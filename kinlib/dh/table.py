@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, cached_property, partial, reduce
+from functools import cache, cached_property, partial
 from itertools import accumulate
 from pathlib import Path
 from typing import Any, Literal, cast, get_args
@@ -178,18 +178,33 @@ class DHTable(TakesJointValues, validation.ReadOnly):
     def _value_names(self) -> list[str]:
         return [f"q{i + 1}" for i in range(self.n)]
 
-    def link_transforms(self, q: JointValues) -> Array:
+    def link_transforms(self, q: JointValues, rows: Array | None = None) -> Array:
         """Compute the pose of each frame in the one before it: A_i or T_i, one for each row.
 
-        q (..., n) in radians and metres -> (..., m, 4, 4).
+        q (..., n) in radians and metres -> (..., m, 4, 4). Here and below, rows (..., m, 4) may be given in place of those of the table.
         Source: DH example with n = 5, which prints them for its RPRR arm.
 
         >>> DHTable([[0.4, 0, 0, 0]], convention="standard").link_transforms([np.pi / 2])[0, :3, 3].round(3) + 0.0
         array([0. , 0.4, 0. ])
         """
-        return np.moveaxis(row_transforms(self, self.rows, self.in_order(q)), 0, -3)
+        q, rows = self.in_order(q), self.rows if rows is None else rows
+        moved = np.zeros((*np.broadcast_shapes(rows.shape[:-2], q.shape[:-1]), *rows.shape[-2:])) + rows
+        moving, column = np.array(joint_entries(self.joints)).T
+        moved[..., moving, column] += self.signs[moving] * q
+        return dh_transform(*np.moveaxis(moved, -1, 0), convention=self.convention)
 
-    def fk(self, q: JointValues) -> Array:
+    def frames(self, q: JointValues, rows: Array | None = None) -> Array:
+        """Compute the frames 0 to m in {s}: before each row, and after the last one.
+
+        q (..., n) -> (..., m + 1, 4, 4).
+
+        >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard").frames([0, 0])[:, 0, 3]
+        array([0. , 0.4, 0.7])
+        """
+        links = np.moveaxis(self.link_transforms(q, rows), -3, 0)
+        return np.stack([*accumulate(links, np.matmul, initial=np.broadcast_to(self.base, links.shape[1:]))], axis=-3)
+
+    def fk(self, q: JointValues, rows: Array | None = None) -> Array:
         """Compute the pose of the tool: base A_1(q_1) ... A_m tool.
 
         q (..., n) -> T_sb (..., 4, 4).
@@ -198,7 +213,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         >>> DHTable([[0.4, 0, 0, 0]], convention="modified").fk(np.zeros((1000, 1))).shape
         (1000, 4, 4)
         """
-        return reduce(np.matmul, [*row_transforms(self, self.rows, self.in_order(q)), self.tool], self.base)
+        return np.asarray(self.frames(q, rows)[..., -1, :, :] @ self.tool)
 
     def to_chain(self) -> Chain:
         """Convert the table to screw axes and a home pose: the z of each joint, in {s} at home.
@@ -236,22 +251,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         return self.changed(rows=rows, convention=convention, **ends)
 
 
-def row_transforms(table: DHTable, rows: Array, q: Array) -> Array:
-    """Compute A_i or T_i of each row, of a table or of others that differ in their numbers: base times all times tool is the tool's pose.
-
-    rows (..., m, 4), q (..., n), batch dimensions that broadcast -> (m, ..., 4, 4).
-
-    >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
-    >>> row_transforms(table, table.rows, np.array([0.0]))[0, :3, 3]
-    array([1., 0., 2.])
-    """
-    moved = np.zeros((*np.broadcast_shapes(rows.shape[:-2], q.shape[:-1]), *rows.shape[-2:])) + rows
-    moving, column = np.array(joint_entries(table.joints)).T
-    moved[..., moving, column] += table.signs[moving] * q
-    columns = np.moveaxis(moved, -1, 0)
-    return np.moveaxis(dh_transform(*columns, convention=table.convention), -3, 0)
-
-
 def joint_axes(table: DHTable, rows: Array) -> tuple[Array, Array]:
     """Compute the joint axes in {s} at home: their directions (..., n, 3), and a point on each axis (..., n, 3).
 
@@ -259,9 +258,7 @@ def joint_axes(table: DHTable, rows: Array) -> tuple[Array, Array]:
     >>> joint_axes(table, table.rows)[0]
     array([[0., 0., 1.]])
     """
-    links = row_transforms(table, rows, np.zeros(table.n))
-    start = np.broadcast_to(table.base, links.shape[1:])
-    frames = np.stack([*accumulate(links, np.matmul, initial=start)], axis=-3)
+    frames = table.frames(np.zeros(table.n), rows)
     moving = np.array([row for row, _ in joint_entries(table.joints)])
     # In the standard convention joint i moves about the z before its row, in the modified one about the z after it.
     at_joints = frames[..., moving + (table.convention == "modified"), :, :]
@@ -274,9 +271,8 @@ def table_frames(table: DHTable, q: Array) -> dict[str, Array]:
     >>> [*table_frames(DHTable([[1, 0, 0, 0]], convention="standard"), np.zeros(1))]
     ['0', '1']
     """
-    poses = accumulate(row_transforms(table, table.rows, q), np.matmul, initial=table.base)
     links = accumulate((letter != "F" for letter in table.joints), initial=0)
-    return {str(link): T for link, T in zip(links, poses, strict=True)}
+    return {str(link): T for link, T in zip(links, table.frames(q), strict=True)}
 
 
 def format_rows(

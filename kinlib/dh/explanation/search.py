@@ -8,7 +8,6 @@ number that it invents counts twice, because some number explains almost anythin
 from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import reduce
 from typing import Self
 
 import numpy as np
@@ -22,7 +21,7 @@ from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import Equivalence, describe_pose, equivalent, format_offset
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.slips import NUMBERS, Fault, corrections, starting_tables
-from kinlib.dh.table import DHTable, joint_axes, row_transforms
+from kinlib.dh.table import DHTable, joint_axes
 from kinlib.rigid.lie import wrap_angle
 
 FILTER_TOL_FACTOR = 3
@@ -154,9 +153,8 @@ def _candidates(  # noqa: PLR0917
     agree &= ~invents[places[:, -1]] | (np.abs(rows - start) > 1.05 * half_unit).any(axis=(1, 2))
     if fixed >= {*CHOICES} and agree.any():
         q = random_configurations(arm.n, 4)
-        links = row_transforms(table, rows[agree, None], q)
-        off = reduce(np.matmul, [*links, table.tool], table.base) - arm.fk(q)
-        agree[agree] = np.abs(off).max(axis=(1, 2, 3)) <= FILTER_TOL_FACTOR * tolerance
+        off = np.abs(table.fk(q, rows[agree, None]) - arm.fk(q)).max(axis=(1, 2, 3))
+        agree[agree] = off <= FILTER_TOL_FACTOR * tolerance
     edits = edits[places].sum(axis=1)
     sizes = np.where(invents[places].any(axis=1), np.abs(rows - table.rows).sum(axis=(1, 2)), 0.0)
     sizes += 1e-3 * (rows[:, :, [0, 2]] < 0).sum(axis=(1, 2))  # in most tables the lengths have one sign

@@ -4,7 +4,7 @@ A step is a stop for a player: the parts that are drawn after it, of which the c
 """
 
 from collections.abc import Mapping
-from itertools import accumulate, pairwise
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -69,7 +69,7 @@ def draw_table(
     'table. Frame {0} at (0, 0, 0), x along x, y along y, z along z. Frame {1} at (1, 0, 0), x along x, y along y, z along z.'
     """
     q = np.zeros(table.n) if q is None else validation.vectors(q, "q", table.n)
-    frames = np.stack([*accumulate(table.link_transforms(q), np.matmul, initial=table.base)])
+    frames = table.frames(q)
     origins, tip, chain = frames[:, :3, 3], frames[-1] @ table.tool, table.to_chain()
     ways = translations(frames, table.convention)
     seen = np.array([np.zeros(3), *origins, *(part["to"] for part in ways), tip[:3, 3]])
