@@ -29,7 +29,7 @@ from kinlib.dh.explanation.rounding import with_right_angles
 from kinlib.dh.explanation.search import TableExplanation, explain_by_choices
 from kinlib.dh.parsing import Assumption
 from kinlib.dh.read_table import read_table
-from kinlib.dh.slips import NUMBERS, OTHER_CONVENTION, Fault
+from kinlib.dh.slips import OTHER_CONVENTION, WRONG_NUMBER, Fault
 from kinlib.dh.table import PRINTED_DIGITS, Convention, DHTable, format_rows, headings, table_frames
 from kinlib.rigid.lie import nearest_rotation
 from kinlib.urdf.chains import load_urdf
@@ -179,7 +179,7 @@ class Examination:
         # A mistake beside choices that are enough without it explains nothing.
         told = [{(fault.name, fault.row, fault.column) for fault in each.faults} for each in several]
         several = [each for each, own in zip(several, told, strict=True) if not any(other < own for other in told)]
-        invented = [sum(fault.name in NUMBERS for fault in each.faults) for each in several]
+        invented = [sum(fault.name == WRONG_NUMBER for fault in each.faults) for each in several]
         order = sorted(range(len(several)), key=lambda k: (several[k].edits, invented[k], several[k].is_a_choice))
         return [several[k] for k in order[:MAX_EXPLANATIONS]]
 

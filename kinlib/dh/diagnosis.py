@@ -24,7 +24,7 @@ from kinlib.dh.alignment import CHOICES, neighbours
 from kinlib.dh.equivalence import Equivalence, equivalent, measured_difference
 from kinlib.dh.explanation.rounding import explain_by_numbers, rounding_effect, typed_half_units, with_right_angles
 from kinlib.dh.explanation.search import TableExplanation, explain_by_choices, explain_by_slips
-from kinlib.dh.slips import ANGLES, NUMBERS, Fault
+from kinlib.dh.slips import ANGLES, WRONG_NUMBER, Fault
 from kinlib.dh.table import Convention, DHTable
 from kinlib.urdf.chains import load_urdf
 
@@ -131,7 +131,7 @@ class Diagnosis:
             fixed, exact = frozenset(CHOICES) - ({"base", "tool"} & kinds), np.zeros_like(self.table.rows)
             one_slip = explain_by_slips(self.table, self.arm, fixed, self.comparison.tolerance, 1, exact)
             told = [each.faults[0] for each in one_slip if each.faults[0].row is None or each.edits <= changed]
-            texts = [fault.text for fault in told if fault.name not in NUMBERS]
+            texts = [fault.text for fault in told if fault.name != WRONG_NUMBER]
             yield from [f"If q is meant to be the same: {' Or: '.join(texts[:MAX_TOLD])}"] * bool(texts)
         differing = ", ".join(f'"{name}"' for name in CHOICES if name in kinds)
         yield f"To count these as mistakes, pass fixed=[{differing}]."

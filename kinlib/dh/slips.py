@@ -11,7 +11,7 @@ from itertools import combinations, permutations
 import numpy as np
 
 from kinlib.arrays.formatting import format_different, format_number
-from kinlib.arrays.tolerances import ROUNDING_ERROR
+from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.table import Convention, DHTable
@@ -22,8 +22,8 @@ LENGTHS, ANGLES = (A, D), (ALPHA, THETA)
 
 OTHER_CONVENTION: dict[Convention, Convention] = {"standard": "modified", "modified": "standard"}
 
-NUMBERS = {"wrong number", "no offset"}
-"""The faults that are corrected by a number that the table does not suggest; so they could explain almost anything."""
+WRONG_NUMBER = "wrong number"
+"""The fault that is corrected by a number that the table does not suggest; so it could explain almost anything."""
 
 Change = Callable[[Array], Array]
 
@@ -33,10 +33,11 @@ class Slip:
     """A slip: what was done to the numbers, and how it is undone.
 
     name    the same in every sheet and every diagnosis
-    text    what was done, in a sentence with {row} and {other}, the numbers of the rows, from 1
+    text    what was done, in a sentence
     change  makes the slip in a whole table; or in one row, (..., 1, 4), or in two, (..., 2, 4)
     undo    corrects it; None if the same change does
     column  the column in which it was made, if there is one
+    in_row  what was done, if it was done in one row, in a sentence; "" if it runs through a whole table
     """
 
     name: str
@@ -44,6 +45,7 @@ class Slip:
     change: Change
     undo: Change | None = None
     column: int | None = None
+    in_row: str = ""
 
 
 def scale(columns: Sequence[int], factor: float) -> Change:
@@ -81,12 +83,16 @@ SLIPS_OF_A_TABLE = [
             ("millimetres", 1e-3, "The lengths are a thousandth of those of the arm. Is the arm in millimetres?"),
         )
     ),
-    Slip("sign of alpha", f"Every alpha has the wrong sign: {RULE}.", scale([ALPHA], -1), column=ALPHA),
-    *(Slip(f"sign of {COLUMNS[k]}", f"Every {COLUMNS[k]} has the wrong sign.", scale([k], -1), column=k) for k in (D, A, THETA)),
-    Slip("a and d swapped", f"The columns a and d are swapped: {MEASURED}.", reorder(LENGTHS_SWAPPED), column=A),
-    Slip("angles swapped", "The columns theta and alpha are swapped.", reorder(ANGLES_SWAPPED), column=THETA),
     *(
-        Slip("column shifted", f"The columns a and alpha are one row too {way}: a_{{{{i-1}}}} and a_i were confused.",
+        Slip(f"sign of {name}", f"Every {name} has the wrong sign{rule}.", scale([k], -1), column=k, in_row=f"{name} has the wrong sign.")
+        for k, name, rule in ((ALPHA, "alpha", f": {RULE}"), (D, "d", ""), (A, "a", ""), (THETA, "theta", ""))
+    ),
+    Slip("a and d swapped", f"The columns a and d are swapped: {MEASURED}.", reorder(LENGTHS_SWAPPED), column=A,
+         in_row=f"a and d are swapped. {MEASURED}."),
+    Slip("angles swapped", "The columns theta and alpha are swapped.", reorder(ANGLES_SWAPPED), column=THETA,
+         in_row="theta and alpha are swapped."),
+    *(
+        Slip("column shifted", f"The columns a and alpha are one row too {way}: a_{{i-1}} and a_i were confused.",
              roll([A, ALPHA], by), roll([A, ALPHA], -by))
         for by, way in ((1, "low"), (-1, "high"))
     ),
@@ -99,27 +105,14 @@ SLIPS_OF_A_TABLE = [
         for back in [np.argsort(order).tolist()]
     ),
 ]  # fmt: skip
-"""The slips that run through a whole table."""
-
-SLIPS_OF_A_ROW = [
-    *(
-        Slip(f"sign of {COLUMNS[k]}", f"Row {{row}}: {COLUMNS[k]} has the wrong sign.", scale([k], -1), column=k)
-        for k in (ALPHA, D, A, THETA)
-    ),
-    Slip("a and d swapped", f"Row {{row}}: a and d are swapped. {MEASURED}.", reorder(LENGTHS_SWAPPED), column=A),
-    Slip("angles swapped", "Row {row}: theta and alpha are swapped.", reorder(ANGLES_SWAPPED), column=THETA),
-]
-"""The slips in one row, the most frequent ones first."""
-
-ROWS_SWAPPED = Slip("rows swapped", "Rows {row} and {other} are swapped.", roll(range(4), 1))
+"""The slips that run through a whole table; those that are also made in one row are in the order of how frequent they are there."""
 
 
 @dataclass(frozen=True)
 class Fault:
     """A fault of a table: its name, a sentence that describes it, and its row (from 1) and column, if it has any.
 
-    name  of a slip; or "the other convention", "variable in the wrong column", "sign of a joint value", "wrong number", "no offset",
-          "another zero", "wrong base" or "wrong tool"
+    name  of a slip; or "the other convention", "variable in the wrong column", WRONG_NUMBER, or that of a choice that is fixed
     """
 
     name: str
@@ -131,8 +124,9 @@ class Fault:
 def slips_in_places(m: int) -> Iterator[tuple[Slip, list[int]]]:
     """Yield every slip with the rows in which it can be made, [] for the whole table, whose slips come first."""
     yield from ((slip, []) for slip in SLIPS_OF_A_TABLE)
-    yield from ((slip, [row]) for row in range(m) for slip in SLIPS_OF_A_ROW)
-    yield from ((ROWS_SWAPPED, [*rows]) for rows in combinations(range(m), 2))
+    yield from ((slip, [row]) for row in range(m) for slip in SLIPS_OF_A_TABLE if slip.in_row)
+    for i, j in combinations(range(m), 2):
+        yield Slip("rows swapped", f"Rows {i + 1} and {j + 1} are swapped.", roll(range(4), 1)), [i, j]
 
 
 def changed_in(places: list[int], change: Change) -> Change:
@@ -148,22 +142,20 @@ def changed_in(places: list[int], change: Change) -> Change:
     return in_places
 
 
-def corrections(table: DHTable, right: Array, fixed: Collection[str], half_unit: Array) -> list[tuple[Fault, Change]]:
-    """Return the faults that leave the joint types as they are, each with the change that corrects it, those of the whole table first.
+def corrections(table: DHTable, right: Array, fixed: Collection[str]) -> Iterator[tuple[Fault, Change]]:
+    """Yield the faults that leave the joint types as they are, each with the change that corrects it, those of the whole table first.
 
-    right      (k, 4) rows of right tables of the arm, whose numbers are tried in place of wrong ones
-    fixed      with "zeros" the entries that the joints change count
-    half_unit  (m, 4) a number that is off by less has not enough digits, and is no wrong one
+    right  (k, 4) rows of right tables of the arm, whose numbers are tried in place of wrong ones
+    fixed  with "zeros" the entries that the joints change count
     """
     variables = [] if "zeros" in fixed else joint_entries(table.joints)
-    found = list[tuple[Fault, Change]]()
     for slip, places in slips_in_places(len(table.rows)):
         if len(places) != 1 or (places[0], slip.column) not in variables:
-            row, other = (places[0] + 1, places[-1] + 1) if places else (None, None)
+            text = f"Row {places[0] + 1}: {slip.in_row}" if len(places) == 1 else slip.text
             column = None if slip.column is None else COLUMNS[slip.column]
-            fault = Fault(slip.name, slip.text.format(row=row, other=other), row, column)
-            found.append((fault, changed_in(places, slip.undo or slip.change)))
-    return [*found, *_corrections_of_a_number(table, right, variables, half_unit)]
+            fault = Fault(slip.name, text, places[0] + 1 if places else None, column)
+            yield fault, changed_in(places, slip.undo or slip.change)
+    yield from _corrections_of_a_number(table, right, variables)
 
 
 def starting_tables(table: DHTable, joint_types: str) -> Iterator[tuple[list[Fault], DHTable]]:
@@ -183,7 +175,7 @@ def starting_tables(table: DHTable, joint_types: str) -> Iterator[tuple[list[Fau
 
 
 def _corrections_of_a_number(
-    table: DHTable, right: Array, variables: Sequence[tuple[int, int]], half_unit: Array
+    table: DHTable, right: Array, variables: Sequence[tuple[int, int]]
 ) -> Iterator[tuple[Fault, Change]]:
     """Yield the corrections of one entry to a number that the arm suggests, or to a usual angle."""
     lengths = right[:, LENGTHS].ravel()
@@ -195,7 +187,7 @@ def _corrections_of_a_number(
             # If an axis is drawn in the opposite direction, an angle becomes its supplement.
             angles = np.concatenate([right[:, column], wrap_angle(np.pi - right[:, column])])
             values = np.concatenate([[0.0, np.pi / 2, -np.pi / 2, np.pi], angles, -angles])
-        least = max(ROUNDING_ERROR, 1.05 * half_unit[row, column])
+        least = TYPED_PI_ERROR if column in ANGLES else ROUNDING_ERROR
         for value in {round(value, 12) + 0.0: value for value in values.tolist()}.values():
             if abs(abs(value) - abs(table.rows[row, column])) > least:  # another sign is a slip of its own
                 yield wrong_number(table, row, column, value), _set(row, column, value)
@@ -213,6 +205,4 @@ def wrong_number(table: DHTable, row: int, column: int, value: float) -> Fault:
     numbers = round(factor * value, 9), round(factor * typed, 9)
     texts = [format_number(number, 6) for number in numbers]
     should, has = (f"{text}{unit}" for text in (texts if texts[0] != texts[1] else format_different(*numbers)))
-    if (row, column) in joint_entries(table.joints) and not typed:
-        return Fault("no offset", f"Row {row + 1}: the offset of {name} is missing, {should}.", row + 1, name)
-    return Fault("wrong number", f"Row {row + 1}: {name} should be {should}; the table has {has}.", row + 1, name)
+    return Fault(WRONG_NUMBER, f"Row {row + 1}: {name} should be {should}; the table has {has}.", row + 1, name)

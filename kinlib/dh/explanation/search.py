@@ -20,7 +20,7 @@ from kinlib.dh.alignment import CHOICES, AxisInvariants
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import Equivalence, describe_pose, equivalent, format_offset
 from kinlib.dh.parsing import COLUMNS, joint_entries
-from kinlib.dh.slips import NUMBERS, Fault, corrections, starting_tables
+from kinlib.dh.slips import WRONG_NUMBER, Fault, corrections, starting_tables
 from kinlib.dh.table import DHTable, joint_axes
 from kinlib.rigid.lie import wrap_angle
 
@@ -130,12 +130,10 @@ def _candidates(  # noqa: PLR0917
     if count <= 0:
         return [((0, 0.0), [], table.rows)] * (count == 0)
     known = [
-        each
-        for each in corrections(table, right, fixed, half_unit)
-        if np.abs(each[1](table.rows) - table.rows).max() > 1e-12
+        each for each in corrections(table, right, fixed) if np.abs(each[1](table.rows) - table.rows).max() > 1e-12
     ]
     rows, start = np.array([change(table.rows) for _, change in known]), table.rows
-    invents = np.array([fault.name in NUMBERS for fault, _ in known])
+    invents = np.array([fault.name == WRONG_NUMBER for fault, _ in known])
     # Every entry of a column has to be wrong in the same way: that a single entry is wrong is simpler.
     is_of_all = np.array([fault.row is None and fault.name.startswith("sign of") for fault, _ in known])
     edits = (np.abs(rows - start) > 1e-12).sum(axis=(1, 2)) + (invents | is_of_all)
