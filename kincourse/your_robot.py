@@ -30,8 +30,16 @@ from kinlib.dh.explanation.search import TableExplanation, explain_by_choices
 from kinlib.dh.parsing import Assumption
 from kinlib.dh.read_table import read_table
 from kinlib.dh.slips import OTHER_CONVENTION, WRONG_NUMBER, Fault
-from kinlib.dh.table import PRINTED_DIGITS, Convention, DHTable, format_rows, headings, table_frames
-from kinlib.rigid.lie import nearest_rotation
+from kinlib.dh.table import (
+    PRINTED_DIGITS,
+    Convention,
+    DHTable,
+    format_rows,
+    headings,
+    snapped,
+    snapped_pose,
+    table_frames,
+)
 from kinlib.urdf.chains import load_urdf
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.viewer.viewer import Viewer, explore, opening
@@ -341,9 +349,7 @@ def _without_noise(table: DHTable) -> DHTable:
     """Return a table whose base and tool have 0 and 1 where they are off by the digits of a typed pi / 2."""
     ends = {}
     for name, T in (("base", table.base), ("tool", table.tool)):
-        clean = np.where(np.abs(T - T.round()) < TYPED_PI_ERROR, T.round(), T)
-        clean[:3, 3] = np.where(np.abs(T[:3, 3] - T[:3, 3].round(6)) < 1e-8, T[:3, 3].round(6), T[:3, 3])
-        ends[name] = nearest_rotation(clean)
+        ends[name] = snapped_pose(T, 1, TYPED_PI_ERROR, snapped(T[:3, 3], 1e-6, 1e-8))
     return table.changed(**ends)
 
 

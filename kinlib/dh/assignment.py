@@ -25,8 +25,8 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.common_normal import CommonNormal, common_normal, frame_axes
 from kinlib.dh.parsing import MAX_LENGTH_M
-from kinlib.dh.table import Convention, DHTable, format_rows, validate_convention
-from kinlib.rigid.lie import cross, homogeneous, nearest_rotation
+from kinlib.dh.table import Convention, DHTable, format_rows, snapped, snapped_pose, validate_convention
+from kinlib.rigid.lie import cross, homogeneous
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,21 +99,11 @@ def assign_frames(chain: Chain, convention: Convention, *, snap: bool = False) -
 def _snapped(found: FrameAssignment) -> FrameAssignment:
     """Replace the numbers of a table by the short ones that they are near; base and tool keep the ends where they are."""
     table, chain = found.table, found.chain
-    degrees = np.degrees(table.rows[:, [1, 3]])
-    rows = _short(table.rows)
-    near = np.abs(degrees - degrees.round()) < np.degrees(TYPED_PI_ERROR)
-    rows[:, [1, 3]] = np.radians(np.where(near, degrees.round(), degrees.round(4))) + 0.0
-    base, tool = (_clean_pose(T) for T in (table.base, table.tool))
+    degrees, rows = np.degrees(table.rows[:, [1, 3]]), _short(table.rows)
+    rows[:, [1, 3]] = np.radians(snapped(degrees, 1, np.degrees(TYPED_PI_ERROR)).round(4)) + 0.0
+    base, tool = (snapped_pose(T, 1e-4, TYPED_PI_ERROR, _short(T[:3, 3])) for T in (table.base, table.tool))
     clean = table.changed(rows=rows, base=base, tool=tool)
     return FrameAssignment(chain, clean, clean.frames(np.zeros(chain.n)), found.normals)
-
-
-def _clean_pose(T: Array) -> Array:
-    """Round what is off by the digits of a typed pi / 2, and return the pose nearest to that."""
-    rounded = T.copy()
-    rounded[:3] = np.where(np.abs(T[:3] - T[:3].round(4)) < TYPED_PI_ERROR, T[:3].round(4), T[:3])
-    rounded[:3, 3] = _short(T[:3, 3])
-    return nearest_rotation(rounded)
 
 
 def _short(lengths: Array) -> Array:
@@ -125,7 +115,7 @@ def _assign(chain: Chain, convention: Convention, parallel_below: float) -> Fram
     """Assign frames, treating axes at a smaller angle than the bound as parallel; None if a normal is too far away for a table."""
     standard = convention == "standard"
     axes, points = chain.lines.axis, _points_on_axes(chain)
-    z, x = axes[0], _first_perpendicular(np.eye(3), axes[0])  # as close to {s} as the axis allows
+    z, x = axes[0], _first_not_along(axes[0], np.eye(3))  # as close to {s} as the axis allows
     origin = points[0] - z * (z @ points[0])
     frames, normals = [homogeneous(frame_axes(x, z), origin)], list[CommonNormal]()
     for axis, point in zip(axes[1:], points[1:], strict=True):
@@ -140,7 +130,7 @@ def _assign(chain: Chain, convention: Convention, parallel_below: float) -> Fram
         across = chain.home[:3, 3] - origin
         across = across - z * (z @ across)
         is_beside = np.linalg.norm(across) > INTERSECTION_TOL_M
-        x, origin = across if is_beside else _first_perpendicular(chain.home[:3, :3].T, z), chain.home[:3, 3]
+        x, origin = across if is_beside else _first_not_along(z, chain.home[:3, :3].T), chain.home[:3, 3]
     frames.append(homogeneous(frame_axes(x, z), origin))
     if not standard:
         frames[0] = frames[1]  # {0} coincides with {1} at q_1 = 0
@@ -179,11 +169,9 @@ def _points_on_axes(chain: Chain) -> Array:
     return points
 
 
-def _first_perpendicular(candidates: Array, z: Array) -> Array:
-    """Project the first of the candidates that is not along z to a unit vector perpendicular to z."""
-    across = candidates - np.outer(candidates @ z, z)
-    k = np.argmax(np.linalg.norm(across, axis=1) > 0.1)  # of three orthogonal ones at least two are not
-    return np.asarray(across[k] / np.linalg.norm(across[k]))
+def _first_not_along(z: Array, candidates: Array) -> Array:
+    """Return the first of three orthogonal directions that is not along z, as at least two are not."""
+    return next(x for x in candidates if np.linalg.norm(cross(x, z)) > 0.1)
 
 
 CASES = {

@@ -24,8 +24,8 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.alignment import CHOICES, Booleans, Map, nearest_maps, neighbours
 from kinlib.dh.parsing import MAX_LENGTH_M
-from kinlib.dh.table import DHTable
-from kinlib.rigid.lie import homogeneous, log
+from kinlib.dh.table import DHTable, snapped, snapped_pose
+from kinlib.rigid.lie import log
 
 Verdict = Literal["same", "different", "undecided"]
 
@@ -182,18 +182,12 @@ def equivalent(
 
 def _without_noise(found: Map, joint_types: str, tolerance: float) -> Map:
     """Return a map whose angles are right angles, and whose numbers are 0, where this is within the tolerance."""
-
-    def cleaned(numbers: Array, unit: Array | float) -> Array:
-        near = np.round(numbers / unit) * unit
-        return np.where(np.abs(numbers - near) <= tolerance, near, numbers)
-
-    def pose(T: Array) -> Array:
-        R = np.round(T[:3, :3]) + 0.0  # of frames whose axes are parallel
-        is_near = np.abs(T[:3, :3] - R).max() <= min(tolerance, 0.1)
-        return homogeneous(R if is_near else T[:3, :3], cleaned(T[:3, 3], MAX_LENGTH_M))
-
     units = np.where([letter == "P" for letter in joint_types], MAX_LENGTH_M, np.pi / 2)
-    return replace(found, offsets=cleaned(found.offsets, units), base=pose(found.base), tool=pose(found.tool))
+    base, tool = (
+        snapped_pose(T, 1, min(tolerance, 0.02), snapped(T[:3, 3], MAX_LENGTH_M, tolerance))
+        for T in (found.base, found.tool)
+    )
+    return replace(found, offsets=snapped(found.offsets, units, tolerance), base=base, tool=tool)
 
 
 def _description_length(found: Map) -> tuple[int, float]:

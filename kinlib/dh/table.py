@@ -36,6 +36,7 @@ from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, MAX_LENGTH_M, is_plausible_angle, joint_entries
 from kinlib.dh.table_text import read_rows
+from kinlib.rigid.lie import homogeneous, nearest_rotation
 from kinlib.rigid.screw import screw
 
 Convention = Literal["standard", "modified"]
@@ -273,6 +274,21 @@ def table_frames(table: DHTable, q: Array) -> dict[str, Array]:
     """
     links = accumulate((letter != "F" for letter in table.joints), initial=0)
     return {str(link): T for link, T in zip(links, table.frames(q), strict=True)}
+
+
+def snapped(numbers: Array, unit: Array | float, tolerance: Array | float) -> Array:
+    """Replace numbers by the multiples of a unit that they are near, to within a tolerance.
+
+    >>> snapped(np.array([-1.0001, 0.4]), 1, 1e-3)
+    array([-1. ,  0.4])
+    """
+    near = np.round(numbers / unit) * unit + 0.0
+    return np.where(np.abs(numbers - near) <= tolerance, near, numbers)
+
+
+def snapped_pose(T: Array, unit: float, tolerance: float, position: Array) -> Array:
+    """Replace the entries of a rotation by those that they are near, and give it another position: the nearest pose to that."""
+    return homogeneous(nearest_rotation(snapped(T[:3, :3], unit, tolerance)), position)
 
 
 def format_rows(

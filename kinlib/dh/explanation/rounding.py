@@ -17,7 +17,7 @@ from kinlib.dh.equivalence import ROUGH, equivalent
 from kinlib.dh.explanation.search import TableExplanation
 from kinlib.dh.parsing import joint_entries
 from kinlib.dh.slips import ANGLES, LENGTHS, wrong_number
-from kinlib.dh.table import DHTable
+from kinlib.dh.table import DHTable, snapped
 from kinlib.rigid.lie import wrap_angle
 
 ALL_DECIMALS = 12
@@ -55,10 +55,9 @@ def typed_half_units(rows: Array) -> tuple[Array, str]:
 
 def with_right_angles(table: DHTable) -> DHTable:
     """Return a table whose angles are exactly the multiples of 45 degrees that they have with at least three digits, such as 1.57."""
-    right = np.round(table.rows / (np.pi / 4)) * (np.pi / 4)
-    off = np.abs(right - table.rows)
-    is_near = (off > 1e-12) & (off <= np.minimum(typed_half_units(table.rows)[0], MAX_TYPED_PI_ERROR))
-    return table.changed(rows=np.where(is_near & (right != 0) & (np.arange(4) % 2 == 1), right, table.rows))
+    right = snapped(table.rows, np.pi / 4, np.minimum(typed_half_units(table.rows)[0], MAX_TYPED_PI_ERROR))
+    is_typed = (np.arange(4) % 2 == 1) & (right != 0) & (np.abs(right - table.rows) > 1e-12)
+    return table.changed(rows=np.where(is_typed, right, table.rows))
 
 
 def _shortest(number: float) -> str:
