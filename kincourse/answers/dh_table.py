@@ -225,7 +225,7 @@ def _diagnosis(given: DHTable, right: DHTable, anchored: bool) -> Diagnosis:
 
 def _choices(found: Equivalence) -> str:
     """Describe the choices in which a table differs from ours, each in a sentence."""
-    return " ".join(f"{text[0].upper()}{text[1:]}." for text in found.choices)
+    return " ".join(f"{fault.text[0].upper()}{fault.text[1:]}" for fault in found.choices())
 
 
 def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:

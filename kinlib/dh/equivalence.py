@@ -23,9 +23,10 @@ from kinlib.arrays.tolerances import EQUIVALENCE_TOL, NEARLY_PARALLEL_RAD, PARAL
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.alignment import CHOICES, Booleans, Map, nearest_maps, neighbours
-from kinlib.dh.parsing import MAX_LENGTH_M
+from kinlib.dh.parsing import COLUMNS, MAX_LENGTH_M, joint_entries
+from kinlib.dh.slips import Fault
 from kinlib.dh.table import DHTable, snapped, snapped_pose
-from kinlib.rigid.lie import log
+from kinlib.rigid.lie import log, wrap_angle
 
 Verdict = Literal["same", "different", "undecided"]
 
@@ -69,36 +70,45 @@ class Equivalence(Map):
 
         >>> print(equivalent(kl.robots.rpr(), kl.robots.rpr().changed(home=np.eye(4)), fixed=["zeros"]))
         These are the same mechanism, up to these choices of the second:
-        tool: rotated by 120° about (0.5774, 0.5774, 0.5774), translated by (-1, 0, 0) m
+        tool: rotated by 120° about (0.5774, 0.5774, 0.5774), translated by (-1, 0, 0) m.
         """
         if self.verdict == "same":
-            of = ", up to these choices of the second:" if self.choices else "."
-            return "\n".join([f"These are the same mechanism{of}", *self.choices])
+            choices = [fault.text for fault in self.choices()]
+            of = ", up to these choices of the second:" if choices else "."
+            return "\n".join([f"These are the same mechanism{of}", *choices])
         differ = self.verdict == "different"
         words = "These mechanisms differ" if differ else "Whether these are the same cannot be decided"
         return f"{words}. {self.reason}"
 
-    @property
-    def choices(self) -> list[str]:
-        """The choices in which the two differ, in words."""
-        joints = enumerate(zip(self.joint_types, self.signs, self.offsets.tolist(), strict=True), start=1)
-        found = list[str]()
-        for joint, (letter, sign, offset) in joints:
-            found += [f"joint {joint}: q counts in the opposite direction"] * bool(sign < 0)
-            found += [f"joint {joint}: its zero is {text} away" for text in [format_offset(letter, offset)] if text]
-        ends = {"base": describe_pose(self.base, self.tolerance), "tool": describe_pose(self.tool, self.tolerance)}
-        return [*found, *(f"{name}: {text}" for name, text in ends.items() if text != "the identity")]
-
-
-def format_offset(letter: str, offset: float) -> str:
-    """Write the offset of a joint, less full turns; "" if it is 0.
-
-    >>> format_offset("R", 3 * np.pi / 2), format_offset("P", 0.25), format_offset("R", 2 * np.pi)
-    ('-90°', '0.25 m', '')
-    """
-    value = offset if letter == "P" else math.pi - (math.pi - offset + 1e-9) % (2 * math.pi) + 1e-9
-    text = f"{format_number(value, 6)} m" if letter == "P" else format_degrees(value, 6)
-    return "" if abs(value) <= ROUNDING_ERROR else text
+    def choices(self, table: DHTable | None = None, names: Collection[str] = CHOICES) -> list[Fault]:
+        """Describe the choices of these names in which the two differ; if the first is a table, as corrections of its entries and ends."""
+        found, accuracy = list[Fault](), min(self.tolerance, max(self.difference, EQUIVALENCE_TOL))
+        entries = joint_entries(table.joints if table else self.joint_types.replace("H", "R"))
+        for joint, ((row, column), offset) in enumerate(zip(entries, self.offsets, strict=True)):
+            place, name, sign = f"joint {joint + 1}", COLUMNS[column], table.signs[row] if table else 1.0
+            # Less full turns, which a fit may have made; half a turn is positive.
+            value = float(sign * offset if name == "d" else wrap_angle(sign * offset - ROUNDING_ERROR) + ROUNDING_ERROR)
+            if "zeros" in names and abs(value) > ROUNDING_ERROR:
+                size = f"{format_number(value, 6)} m" if name == "d" else format_degrees(value, 6)
+                other = " (or rotate the base by as much about axis 1)" * (joint == 0 and name == "theta")
+                text = f"add {size} to {name}{other}" if table else f"its zero is {size} away"
+                found.append(Fault(CHOICES["zeros"], f"{place}: {text}.", row + 1, name))
+            if "signs" in names and self.signs[joint] < 0:
+                write = f"write {'-' if sign > 0 else '+'}q in {name}, because " * bool(table)
+                text = f"{place}: {write}q counts in the opposite direction."
+                found.append(Fault(CHOICES["signs"], text, row + 1, name))
+        base, tool = (table.base, table.tool) if table else (np.eye(4), np.eye(4))
+        for name, end, own, T in (
+            ("base", "The base T_s0", base, self.base @ base),
+            ("tool", "The tool transform", tool, tool @ self.tool),
+        ):
+            if name in names and (own != T).any():
+                is_missing = np.abs(own - np.eye(4)).max() < EQUIVALENCE_TOL
+                is_inverted = np.abs(own @ T - np.eye(4)).max() < 1e-6  # as a person types it
+                what = "is missing" if is_missing else "is inverted" if is_inverted else "is wrong"
+                what = f"{end} {what}: it should be" if table else f"{name}:"
+                found.append(Fault(CHOICES[name], f"{what} {describe_pose(T, accuracy)}."))
+        return found
 
 
 def describe_pose(T: Array, tolerance: float = ROUNDING_ERROR) -> str:

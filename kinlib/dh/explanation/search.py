@@ -13,13 +13,12 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.alignment import CHOICES, AxisInvariants
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.equivalence import Equivalence, describe_pose, equivalent, format_offset
-from kinlib.dh.parsing import COLUMNS, joint_entries
+from kinlib.dh.equivalence import Equivalence, equivalent
+from kinlib.dh.parsing import joint_entries
 from kinlib.dh.slips import WRONG_NUMBER, Fault, corrections, starting_tables
 from kinlib.dh.table import DHTable, joint_axes
 from kinlib.rigid.lie import wrap_angle
@@ -88,35 +87,14 @@ def explain_by_slips(  # noqa: PLR0917
 
 def explain_by_choices(table: DHTable, found: Equivalence, names: Collection[str] = CHOICES) -> TableExplanation:
     """Return the choices of these names in which a table differs from an arm as corrections, each with its numbers."""
-    faults, ends = list[Fault](), dict[str, Array]()
+    faults, (moving, column) = found.choices(table, names), np.transpose(joint_entries(table.joints))
     rows, signs = table.rows.copy(), table.signs.copy()
-    accuracy = min(found.tolerance, max(found.difference, EQUIVALENCE_TOL))
-    for joint, (row, column) in enumerate(joint_entries(table.joints)):
-        name, letter, place = COLUMNS[column], table.joints[row], f"joint {joint + 1}"
-        offset = float(table.signs[row] * found.offsets[joint]) * ("zeros" in names)
-        rows[row, column] += offset
-        if letter == "R" and abs(rows[row, column]) > 2 * np.pi:  # a fit may have made full turns
-            rows[row, column] = wrap_angle(rows[row, column])
-        if text := format_offset(letter, offset):
-            base = " (or rotate the base by as much about axis 1)" if joint == 0 and letter == "R" else ""
-            faults.append(Fault("another zero", f"{place}: add {text} to {name}{base}.", row + 1, name))
-        if found.signs[joint] < 0 and "signs" in names:
-            signs[row] *= -1
-            sign = "-" if signs[row] < 0 else "+"
-            text = f"{place}: write {sign}q in {name}, because q counts in the opposite direction."
-            faults.append(Fault("sign of a joint value", text, row + 1, name))
-    for end, name, own, T in (
-        ("base", "The base T_s0", table.base, found.base @ table.base),
-        ("tool", "The tool transform", table.tool, table.tool @ found.tool),
-    ):
-        if end in names and (own != T).any():
-            ends[end] = T
-            is_missing = np.abs(own - np.eye(4)).max() < EQUIVALENCE_TOL
-            is_inverted = np.abs(own @ T - np.eye(4)).max() < 1e-6  # as a person types it
-            what = "is missing" if is_missing else "is inverted" if is_inverted else "is wrong"
-            faults.append(Fault(f"wrong {end}", f"{name} {what}: it should be {describe_pose(T, accuracy)}."))
-    corrected = table.changed(rows=rows, signs=signs, **ends)
-    return TableExplanation(faults, corrected, len(faults) + len(ends))
+    rows[moving, column] += signs[moving] * found.offsets * ("zeros" in names)
+    rows[:, 3] = np.where(np.abs(rows[:, 3]) > 2 * np.pi, wrap_angle(rows[:, 3]), rows[:, 3])
+    signs[moving] *= found.signs if "signs" in names else 1.0
+    ends = {"base": found.base @ table.base, "tool": table.tool @ found.tool}
+    corrected = table.changed(rows=rows, signs=signs, **{name: T for name, T in ends.items() if name in names})
+    return TableExplanation(faults, corrected, len(faults) + sum(fault.row is None for fault in faults))
 
 
 def _candidates(  # noqa: PLR0917
