@@ -36,9 +36,9 @@ def neighbours(chain: Chain) -> tuple[Array, Array]:
     u, v, between = chain.lines.axis[:-1], chain.lines.axis[1:], np.diff(chain.joint_points, axis=0)
     normal = cross(u, v)
     sine = np.linalg.norm(normal, axis=-1)
-    along_normal = np.abs(_dot(between, normal)) / np.maximum(sine, PARALLEL_TOL_RAD)
+    along_normal = np.abs(np.vecdot(between, normal)) / np.maximum(sine, PARALLEL_TOL_RAD)
     distance = np.where(sine <= PARALLEL_TOL_RAD, np.linalg.norm(cross(between, u), axis=-1), along_normal)
-    return np.arctan2(sine, np.abs(_dot(u, v))), distance
+    return np.arctan2(sine, np.abs(np.vecdot(u, v))), distance
 
 
 class AxisInvariants:
@@ -73,14 +73,17 @@ class AxisInvariants:
         """Compute the invariants of mechanisms, directions and points of their axes (..., n, 3) each -> (..., k)."""
         u, v, between = axis[..., :-1, :], axis[..., 1:, :], np.diff(point, axis=-2)
         across = cross(u, v)
-        moment, distance = _dot(between, across), np.linalg.norm(cross(between, u), axis=-1)
+        moment, distance = np.vecdot(between, across), np.linalg.norm(cross(between, u), axis=-1)
         # The places of the feet of each common normal on its two axes, measured from the points.
-        squared_sine = np.maximum(_dot(across, across), np.finfo(float).tiny)
-        start, end = _dot(cross(between, v), across) / squared_sine, _dot(cross(between, u), across) / squared_sine
+        squared_sine = np.maximum(np.vecdot(across, across), np.finfo(float).tiny)
+        start, end = (
+            np.vecdot(cross(between, v), across) / squared_sine,
+            np.vecdot(cross(between, u), across) / squared_sine,
+        )
         i, j = self._runs
         foot = point[..., j, :] + start[..., j, None] * axis[..., j, :] - point[..., i + 1, :]
-        along = _dot(axis[..., i + 1, :], foot) - end[..., i]
-        return np.concatenate([_dot(u, v), moment[..., self._skew], distance[..., self._parallel], along], axis=-1)
+        along = np.vecdot(axis[..., i + 1, :], foot) - end[..., i]
+        return np.concatenate([np.vecdot(u, v), moment[..., self._skew], distance[..., self._parallel], along], axis=-1)
 
     def violated(self, values: Array) -> Booleans:
         """Return which invariants (..., k) differ from those of the reference for every choice of signs."""
@@ -96,11 +99,6 @@ class AxisInvariants:
         """Return all signs of the joints (P, n) for which all invariants (k,) agree, and how far they do, at most 1 (P,)."""
         off = (np.abs(self._factors * values - self._values) / self._tolerances).max(axis=1, initial=0.0)
         return self._patterns[off <= 1], off[off <= 1]
-
-
-def _dot(u: Array, v: Array) -> Array:
-    products: Array = np.sum(u * v, axis=-1)
-    return products
 
 
 COMPARED_CONFIGURATIONS, MAX_STARTS = 16, 8
@@ -135,25 +133,24 @@ def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], tolerance: flo
     invariants = AxisInvariants(other, 100 * loose)
     s, off = invariants.sign_patterns(invariants.of(one.lines.axis, one.joint_points))
     offsets, R = _rotated(one, other, s, fixed, loose / 2)
-    is_constant = np.array([letter == "P" or "zeros" in fixed for letter in one.joint_types])
-    admitted: Booleans = np.asarray((np.abs(offsets[:, is_constant]) < 0.1).all(axis=1))
-    admitted &= (s > 0).all(axis=1) | ("signs" not in fixed)
-    for end, joint, A, B in (("base", 0, np.eye(3), np.eye(3)), ("tool", -1, one.home[:3, :3], other.home[:3, :3])):
-        if end in fixed:
-            off_axis = s[:, [joint]] * (one.lines.axis[joint] @ A) - other.lines.axis[joint] @ B
-            admitted &= np.linalg.norm(off_axis, axis=1) <= 100 * loose
-    offsets[:, is_constant] = 0.0
+    offsets[:, [letter == "P" or "zeros" in fixed for letter in one.joint_types]] = 0.0
     zeros = (np.abs(offsets) > max(loose, SAME_DISTANCE_RAD)).sum(axis=1)
     is_free = np.repeat([name not in fixed for name in ("base", "zeros", "tool")], [6, one.n, 6])
     # The zero of the first joint is a motion of the base, and that of the last one a motion of the tool.
     is_free[6] &= "base" in fixed
     is_free[-7] &= "tool" in fixed
-    for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros, off > 0.01)) if admitted[k]][:MAX_STARTS]:
+    for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros, off > 0.01)):
         X = homogeneous(R[k], np.zeros(3))
         Y = np.eye(4) if "tool" in fixed else inverse(X @ one.fk(offsets[k])) @ other.home
+        turned = X @ one.fk(s[k] * q + offsets[k]) @ Y - target
+        if ("signs" in fixed and (s[k] < 0).any()) or np.abs(turned[:, :3, :3]).max() > 100 * max(loose, 1e-3):
+            continue  # with what is fixed, the directions do not agree
         X, change, Y, difference = fitted(one, s[k] * q + offsets[k], X, Y, target, lambda _: is_free, steps=7)
         found.append(Map(s[k], offsets[k] + change, X, Y, difference))
-        if len(found) > 4 and min(each.difference for each in found[1:]) <= loose:  # of several, one is described best
+        enough = (
+            4 if min(each.difference for each in found[1:]) <= loose else MAX_STARTS
+        )  # of several, one is described best
+        if len(found) > enough:
             break
     return found
 
@@ -185,8 +182,8 @@ def _rotated(one: Chain, other: Chain, s: Array, fixed: frozenset[str], near: fl
     x, e = np.stack([each[0] for each in filled], axis=1), np.stack([each[1] for each in filled], axis=1)
     u, sign = z[:, joints], s[:, joints]
     before, after = x[:, :-1], x[:, 1:]
-    cosine = _dot(before, after) - _dot(before, u) * _dot(after, u)
-    theta = np.arctan2(_dot(cross(before, after), u), cosine)
+    cosine = np.vecdot(before, after) - np.vecdot(before, u) * np.vecdot(after, u)
+    theta = np.arctan2(np.vecdot(cross(before, after), u), cosine)
     offsets = np.zeros(s.shape)
     offsets[:, joints] = wrap_angle(sign * theta[1] - theta[0] + np.pi * (e[:, :-1] != e[:, 1:]))
     R = frame_axes(x[1, 0], u[1, 0]) @ np.swapaxes(frame_axes(e[:, :1] * x[0, 0], sign[:, :1] * u[0, 0]), -1, -2)

@@ -5,14 +5,12 @@ Frames are checked against the rules alone. There are many correct assignments, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
-from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.table import Convention, validate_convention
 
@@ -53,24 +51,25 @@ def check_frames(chain: Chain, frames: ArrayLike, convention: Convention, tolera
         raise ValueError(
             f"frames must have shape ({chain.n + 1}, 4, 4), from 0 to {chain.n}; got {T.shape}. Is the first or the last one missing?"
         )
-    return [*_breaches(chain, T, standard, tolerance)]
-
-
-def _breaches(chain: Chain, T: Array, standard: bool, tolerance: float) -> Iterator[Breach]:
+    found = list[Breach]()
     for i, R in enumerate(T[:, :3, :3]):
         if np.abs(R.T @ R - np.eye(3)).max() > tolerance:
-            yield Breach(i, "right-handed", f"The axes of frame {i} must be unit vectors perpendicular to each other.")
+            found.append(
+                Breach(i, "right-handed", f"The axes of frame {i} must be unit vectors perpendicular to each other.")
+            )
         elif np.linalg.det(R) < 0:
-            yield Breach(i, "right-handed", f"Frame {i} is left-handed: y_{i} must be z_{i} x x_{i}. Negate y_{i}.")
+            found.append(
+                Breach(i, "right-handed", f"Frame {i} is left-handed: y_{i} must be z_{i} x x_{i}. Negate y_{i}.")
+            )
     for joint, (axis, point) in enumerate(zip(chain.lines.axis, chain.joint_points, strict=True), start=1):
         i = joint - standard
         z, origin = T[i, :3, 2], T[i, :3, 3]
         distance = np.linalg.norm(np.cross(origin - point, axis))
         if np.linalg.norm(np.cross(z, axis)) > tolerance:
-            yield Breach(i, "z along axis", f"z_{i} must be along the axis of joint {joint}, but is not.")
+            found.append(Breach(i, "z along axis", f"z_{i} must be along the axis of joint {joint}, but is not."))
         elif chain.joint_types[joint - 1] != "P" and distance > tolerance:
             text = f"The origin of frame {i} must lie on the axis of joint {joint}; it is {distance:.3g} m away."
-            yield Breach(i, "origin on axis", text)
+            found.append(Breach(i, "origin on axis", text))
     for i in range(1, len(T)):
         # The x of a row is that of the frame after it in the standard convention, and of the frame before it in the modified one.
         own, other = (i, i - 1) if standard else (i - 1, i)
@@ -79,7 +78,8 @@ def _breaches(chain: Chain, T: Array, standard: bool, tolerance: float) -> Itera
         if abs(float(x @ z)) > tolerance:
             angle = np.degrees(np.arccos(np.clip(x @ z, -1, 1)))
             text = f"x_{own} must be perpendicular to z_{other}; the angle is {angle:.4g} degrees."
-            yield Breach(own, "x perpendicular to z", text)
+            found.append(Breach(own, "x perpendicular to z", text))
         elif (gap := abs(float(between @ np.cross(x, z)))) > tolerance:
             text = f"The line of x_{own} must intersect the axis z_{other}; it passes at a distance of {gap:.3g} m."
-            yield Breach(own, "x meets z", f"{text} Is x_{own} on the common normal?")
+            found.append(Breach(own, "x meets z", f"{text} Is x_{own} on the common normal?"))
+    return found

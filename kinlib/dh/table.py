@@ -64,15 +64,12 @@ def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike,
     values = zip(COLUMNS, (a, alpha, d, theta), strict=True)
     a, alpha, d, theta = np.broadcast_arrays(*(validation.array(value, name) for name, value in values))
     ca, sa, ct, st = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
-    T = np.zeros((*a.shape, 4, 4))
-    T[..., 3, 3] = 1.0
     if convention == "standard":
         rows = [[ct, -st * ca, st * sa, a * ct], [st, ct * ca, -ct * sa, a * st], [0 * st, sa, ca, d]]
     else:
         rows = [[ct, -st, 0 * st, a], [st * ca, ct * ca, -sa, -sa * d], [st * sa, ct * sa, ca, ca * d]]
-    for i, row in enumerate(rows):
-        T[..., i, :] = np.stack(row, axis=-1)
-    return T
+    T = np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+    return homogeneous(T[..., :3], T[..., 3])
 
 
 @dataclass(frozen=True, eq=False, repr=False, init=False)

@@ -1,4 +1,4 @@
-"""What the digits of a table's numbers say, and the few other numbers with which the table would describe an arm.
+"""What the digits of a table's numbers say.
 
 A number that is typed as 0.43 stands for everything between 0.425 and 0.435, so a table with rounded numbers does not have the
 poses of its arm, although nobody made a mistake. All lengths of a table are taken to have as many decimals as the one that has
@@ -11,14 +11,8 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays.tolerances import TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
-from kinlib.chains.chain import Chain, random_configurations
-from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Map, fitted, nearest_maps
-from kinlib.dh.equivalence import ROUGH, equivalent
-from kinlib.dh.explanation.search import TableExplanation
-from kinlib.dh.parsing import joint_entries
-from kinlib.dh.slips import ANGLES, LENGTHS, wrong_number
+from kinlib.dh.slips import ANGLES, LENGTHS
 from kinlib.dh.table import DHTable, snapped
-from kinlib.rigid.lie import wrap_angle
 
 ALL_DECIMALS = 12
 """A number with so many decimals was not rounded by a person."""
@@ -81,55 +75,3 @@ def rounding_effect(table: DHTable, half_unit: Array) -> float:
     lengths = np.abs(table.rows[:, LENGTHS]) + half_unit[:, LENGTHS]
     reach = lengths.sum() + np.linalg.norm(table.tool[:3, 3]) + np.pi * table.joints.count("P")
     return float(half_unit[:, LENGTHS].sum() + max(1.0, reach) * half_unit[:, ANGLES].sum())
-
-
-def explain_by_numbers(
-    table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: Array, noise: float
-) -> list[TableExplanation]:
-    """Find few other numbers with which a table describes the arm, the largest difference first; [] if none are found."""
-    if table.joints.replace("F", "") != arm.joint_types:
-        return []
-    tolerance, half = max(noise, 1e-6), np.maximum(half_unit, 1e-6)
-    is_free = np.zeros(half.shape, dtype=bool)
-    is_free[tuple(np.transpose(joint_entries(table.joints)))] = "zeros" not in fixed
-    same, *rough = nearest_maps(table.to_chain(), arm, fixed, tolerance, ROUGH)
-    for start in [same, *sorted(rough, key=lambda each: each.difference)[:2]]:
-        change = _few_changes(table, arm, start, fixed, np.where(is_free, 1.0, half))
-        is_changed = ~is_free & (np.abs(change) > 1.05 * half)
-        right = (table.rows + change).round(7)
-        right[:, ANGLES] = wrap_angle(right[:, ANGLES])  # a fit may have made full turns
-        nearest = table.changed(rows=np.where(is_changed, right, table.rows))
-        if equivalent(nearest, arm, fixed=fixed, tolerance=tolerance).verdict == "same":
-            off = np.abs(nearest.rows - table.rows)
-            places = sorted(np.argwhere(off > 0).tolist(), key=lambda place: -off[tuple(place)])
-            faults = [wrong_number(table, row, column, float(right[row, column])) for row, column in places]
-            return [TableExplanation(faults, nearest, 2 * len(faults))]
-    return []
-
-
-def _few_changes(table: DHTable, arm: Chain, start: Map, fixed: frozenset[str], unit: Array) -> Array:
-    """Find changes (m, 4) of few numbers after which a table describes an arm, from a map that nearly does.
-
-    The four motions of each row are those of a chain of 4 m joints whose values are the numbers. So its body Jacobian says how
-    the poses change with the numbers, and each step is a least-squares problem, in which an entry costs its change in units, and
-    less, the more it changed in the step before.
-    """
-    order = [3, 2, 0, 1] if table.convention == "standard" else [1, 0, 3, 2]
-    axes = np.eye(6)[[3, 0, 5, 2]]  # of a, alpha, d, theta in the frame that the row begins with
-    motions = Chain(np.tile(axes[order], (len(table.rows), 1)), np.eye(4))
-    q = random_configurations(arm.n, COMPARED_CONFIGURATIONS)
-    values = np.tile(table.rows, (len(q), 1, 1))
-    row, column = np.transpose(joint_entries(table.joints))
-    values[:, row, column] += table.signs[row] * (start.signs * q + start.offsets)
-    values = values[..., order].reshape(len(q), -1)
-    X, Y, target = start.base @ table.base, table.tool @ start.tool, arm.fk(q)
-    base, tool = (np.full(6, float(name not in fixed)) for name in ("base", "tool"))
-    # Of parallel axes, any d can change; it is the one that is given.
-    first, units = np.where(table.rows[:, order] == 0, 0.1, 1.0).ravel(), unit[:, order].ravel()
-
-    def scale(change: Array) -> Array:
-        weights = np.abs(change / units) + 1e-2 if change.any() else first
-        return np.concatenate([base, units * weights, tool])
-
-    change = fitted(motions, values, X, Y, target, scale, steps=20)[1]
-    return change.reshape(-1, 4)[:, np.argsort(order)]

@@ -1,4 +1,6 @@
-"""Search for the slips that explain a table: a list of candidates, a filter by invariants, a price, and a full comparison.
+"""Search for the slips that explain a table, or for choices that are fixed, or for a few other numbers.
+
+Slips are found by a list of candidates, a filter by invariants, a price, and a full comparison.
 
 All slips of `kinlib.dh.slips` are corrected in all places at once, as arrays of rows. Most corrections are refuted by the invariants
 of the axes, and only the rest is compared with the arm. The price of a correction is the number of entries that it edits, in which a
@@ -15,11 +17,11 @@ from numpy.typing import NDArray
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
-from kinlib.dh.alignment import CHOICES, AxisInvariants
+from kinlib.dh.alignment import CHOICES, COMPARED_CONFIGURATIONS, AxisInvariants, Map, fitted, nearest_maps
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.equivalence import Equivalence, equivalent
+from kinlib.dh.equivalence import ROUGH, Equivalence, equivalent
 from kinlib.dh.parsing import joint_entries
-from kinlib.dh.slips import WRONG_NUMBER, Fault, corrections, starting_tables
+from kinlib.dh.slips import ANGLES, WRONG_NUMBER, Fault, corrections, starting_tables, wrong_number
 from kinlib.dh.table import DHTable, joint_axes
 from kinlib.rigid.lie import wrap_angle
 
@@ -64,15 +66,13 @@ def explain_by_slips(  # noqa: PLR0917
     half_unit  (m, 4) how far the numbers may be off by their digits
     """
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
-    candidates = list[tuple[tuple[int, float], DHTable, list[Fault], Array]]()
-    for faults, start in starting_tables(table, arm.joint_types):
-        right = assign_frames(arm, convention=start.convention).table
-        if isinstance(reference, DHTable) and len(reference.rows) == len(table.rows):
-            right = reference.converted(start.convention)
+    candidates = [
+        ((edits + len(faults), size), start, [*faults, *slips], rows)
+        for faults, start in starting_tables(table, arm.joint_types)
         for (edits, size), slips, rows in _candidates(
-            start, arm, right.rows, fixed, tolerance, count - len(faults), half_unit
-        ):
-            candidates.append(((edits + len(faults), size), start, [*faults, *slips], rows))
+            start, arm, reference, fixed, tolerance, count - len(faults), half_unit
+        )
+    ]
     found = list[TableExplanation]()
     for (edits, _), start, faults, rows in sorted(candidates, key=lambda each: each[0]):
         if found and edits > found[0].edits:
@@ -97,8 +97,66 @@ def explain_by_choices(table: DHTable, found: Equivalence, names: Collection[str
     return TableExplanation(faults, corrected, len(faults) + sum(fault.row is None for fault in faults))
 
 
+def explain_by_numbers(
+    table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: Array, noise: float
+) -> list[TableExplanation]:
+    """Find few other numbers with which a table describes the arm, the largest difference first; [] if none are found."""
+    if table.joints.replace("F", "") != arm.joint_types:
+        return []
+    tolerance, half = max(noise, 1e-6), np.maximum(half_unit, 1e-6)
+    is_free = np.zeros(half.shape, dtype=bool)
+    is_free[tuple(np.transpose(joint_entries(table.joints)))] = "zeros" not in fixed
+    same, *rough = nearest_maps(table.to_chain(), arm, fixed, tolerance, ROUGH)
+    for start in [same, *sorted(rough, key=lambda each: each.difference)[:2]]:
+        change = _few_changes(table, arm, start, fixed, np.where(is_free, 1.0, half))
+        is_changed = ~is_free & (np.abs(change) > 1.05 * half)
+        right = (table.rows + change).round(7)
+        right[:, ANGLES] = wrap_angle(right[:, ANGLES])  # a fit may have made full turns
+        nearest = table.changed(rows=np.where(is_changed, right, table.rows))
+        if equivalent(nearest, arm, fixed=fixed, tolerance=tolerance).verdict == "same":
+            off = np.abs(nearest.rows - table.rows)
+            places = sorted(np.argwhere(off > 0).tolist(), key=lambda place: -off[tuple(place)])
+            faults = [wrong_number(table, row, column, float(right[row, column])) for row, column in places]
+            return [TableExplanation(faults, nearest, 2 * len(faults))]
+    return []
+
+
+def _few_changes(table: DHTable, arm: Chain, start: Map, fixed: frozenset[str], unit: Array) -> Array:
+    """Find changes (m, 4) of few numbers after which a table describes an arm, from a map that nearly does.
+
+    The four motions of each row are those of a chain of 4 m joints whose values are the numbers. So its body Jacobian says how
+    the poses change with the numbers, and each step is a least-squares problem, in which an entry costs its change in units, and
+    less, the more it changed in the step before.
+    """
+    order = [3, 2, 0, 1] if table.convention == "standard" else [1, 0, 3, 2]
+    axes = np.eye(6)[[3, 0, 5, 2]]  # of a, alpha, d, theta in the frame that the row begins with
+    motions = Chain(np.tile(axes[order], (len(table.rows), 1)), np.eye(4))
+    q = random_configurations(arm.n, COMPARED_CONFIGURATIONS)
+    values = np.tile(table.rows, (len(q), 1, 1))
+    row, column = np.transpose(joint_entries(table.joints))
+    values[:, row, column] += table.signs[row] * (start.signs * q + start.offsets)
+    values = values[..., order].reshape(len(q), -1)
+    X, Y, target = start.base @ table.base, table.tool @ start.tool, arm.fk(q)
+    base, tool = (np.full(6, float(name not in fixed)) for name in ("base", "tool"))
+    # Of parallel axes, any d can change; it is the one that is given.
+    first, units = np.where(table.rows[:, order] == 0, 0.1, 1.0).ravel(), unit[:, order].ravel()
+
+    def scale(change: Array) -> Array:
+        weights = np.abs(change / units) + 1e-2 if change.any() else first
+        return np.concatenate([base, units * weights, tool])
+
+    change = fitted(motions, values, X, Y, target, scale, steps=20)[1]
+    return change.reshape(-1, 4)[:, np.argsort(order)]
+
+
 def _candidates(  # noqa: PLR0917
-    table: DHTable, arm: Chain, right: Array, fixed: frozenset[str], tolerance: float, count: int, half_unit: Array
+    table: DHTable,
+    arm: Chain,
+    reference: Chain | DHTable,
+    fixed: frozenset[str],
+    tolerance: float,
+    count: int,
+    half_unit: Array,
 ) -> list[tuple[tuple[int, float], list[Fault], Array]]:
     """Return the rows that so many corrections of a table with the joint types of the arm lead to, the cheapest first.
 
@@ -107,8 +165,11 @@ def _candidates(  # noqa: PLR0917
     """
     if count <= 0:
         return [((0, 0.0), [], table.rows)] * (count == 0)
+    right = reference if isinstance(reference, DHTable) else assign_frames(arm, table.convention).table
     known = [
-        each for each in corrections(table, right, fixed) if np.abs(each[1](table.rows) - table.rows).max() > 1e-12
+        each
+        for each in corrections(table, right.converted(table.convention).rows, fixed)
+        if np.abs(each[1](table.rows) - table.rows).max() > 1e-12
     ]
     rows, start = np.array([change(table.rows) for _, change in known]), table.rows
     invents = np.array([fault.name == WRONG_NUMBER for fault, _ in known])
