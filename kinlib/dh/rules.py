@@ -51,25 +51,22 @@ def check_frames(chain: Chain, frames: ArrayLike, convention: Convention, tolera
         raise ValueError(
             f"frames must have shape ({chain.n + 1}, 4, 4), from 0 to {chain.n}; got {T.shape}. Is the first or the last one missing?"
         )
-    found = list[Breach]()
+    found = list[tuple[int, str, str]]()
     for i, R in enumerate(T[:, :3, :3]):
         if np.abs(R.T @ R - np.eye(3)).max() > tolerance:
-            found.append(
-                Breach(i, "right-handed", f"The axes of frame {i} must be unit vectors perpendicular to each other.")
-            )
+            text = f"The axes of frame {i} must be unit vectors perpendicular to each other."
+            found.append((i, "right-handed", text))
         elif np.linalg.det(R) < 0:
-            found.append(
-                Breach(i, "right-handed", f"Frame {i} is left-handed: y_{i} must be z_{i} x x_{i}. Negate y_{i}.")
-            )
+            found.append((i, "right-handed", f"Frame {i} is left-handed: y_{i} must be z_{i} x x_{i}. Negate y_{i}."))
     for joint, (axis, point) in enumerate(zip(chain.lines.axis, chain.joint_points, strict=True), start=1):
         i = joint - standard
         z, origin = T[i, :3, 2], T[i, :3, 3]
         distance = np.linalg.norm(np.cross(origin - point, axis))
         if np.linalg.norm(np.cross(z, axis)) > tolerance:
-            found.append(Breach(i, "z along axis", f"z_{i} must be along the axis of joint {joint}, but is not."))
+            found.append((i, "z along axis", f"z_{i} must be along the axis of joint {joint}, but is not."))
         elif chain.joint_types[joint - 1] != "P" and distance > tolerance:
             text = f"The origin of frame {i} must lie on the axis of joint {joint}; it is {distance:.3g} m away."
-            found.append(Breach(i, "origin on axis", text))
+            found.append((i, "origin on axis", text))
     for i in range(1, len(T)):
         # The x of a row is that of the frame after it in the standard convention, and of the frame before it in the modified one.
         own, other = (i, i - 1) if standard else (i - 1, i)
@@ -78,8 +75,8 @@ def check_frames(chain: Chain, frames: ArrayLike, convention: Convention, tolera
         if abs(float(x @ z)) > tolerance:
             angle = np.degrees(np.arccos(np.clip(x @ z, -1, 1)))
             text = f"x_{own} must be perpendicular to z_{other}; the angle is {angle:.4g} degrees."
-            found.append(Breach(own, "x perpendicular to z", text))
+            found.append((own, "x perpendicular to z", text))
         elif (gap := abs(float(between @ np.cross(x, z)))) > tolerance:
             text = f"The line of x_{own} must intersect the axis z_{other}; it passes at a distance of {gap:.3g} m."
-            found.append(Breach(own, "x meets z", f"{text} Is x_{own} on the common normal?"))
-    return found
+            found.append((own, "x meets z", f"{text} Is x_{own} on the common normal?"))
+    return [Breach(*each) for each in found]
