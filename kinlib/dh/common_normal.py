@@ -71,8 +71,8 @@ def common_normal(
         if distance > INTERSECTION_TOL_M:
             case: Case = "antiparallel" if opposite else "parallel"
             return CommonNormal(case, across / distance, start, start + across, sine)
-        x = previous_x - z * (z @ previous_x)
-        return CommonNormal("anti-coincident" if opposite else "coincident", x / np.linalg.norm(x), start, start, sine)
+        x = frame_axes(previous_x, z)[:, 0]
+        return CommonNormal("anti-coincident" if opposite else "coincident", x, start, start, sine)
     x = both / sine
     # The distances along both axes to the points between which the connection is perpendicular to both.
     along = float(cross(across, other_z) @ both) / sine**2

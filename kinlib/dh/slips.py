@@ -55,6 +55,11 @@ def scale(columns: Sequence[int], factor: float) -> Change:
     return lambda rows: rows * factors
 
 
+def write(column: int, value: float) -> Change:
+    """Return the change that writes a number in a column."""
+    return lambda rows: np.where(np.arange(4) == column, value, rows)
+
+
 def reorder(order: Sequence[int]) -> Change:
     """Return the change that writes the columns in another order."""
     return lambda rows: rows[..., [*order]]
@@ -145,7 +150,7 @@ def changed_in(places: list[int], change: Change) -> Change:
 def corrections(table: DHTable, right: Array, fixed: Collection[str]) -> Iterator[tuple[Fault, Change]]:
     """Yield the faults that leave the joint types as they are, each with the change that corrects it, those of the whole table first.
 
-    right  (k, 4) rows of right tables of the arm, whose numbers are tried in place of wrong ones
+    right  (k, 4) rows of right tables of the arm, whose numbers are tried in place of wrong ones, and so are usual angles
     fixed  with "zeros" the entries that the joints change count
     """
     variables = [] if "zeros" in fixed else joint_entries(table.joints)
@@ -155,7 +160,18 @@ def corrections(table: DHTable, right: Array, fixed: Collection[str]) -> Iterato
             column = None if slip.column is None else COLUMNS[slip.column]
             fault = Fault(slip.name, text, places[0] + 1 if places else None, column)
             yield fault, changed_in(places, slip.undo or slip.change)
-    yield from _corrections_of_a_number(table, right, variables)
+    lengths = right[:, LENGTHS].ravel()
+    for row, column in np.ndindex(table.rows.shape):
+        if (row, column) in variables:
+            continue
+        values, least = np.concatenate([[0.0], lengths, -lengths]), ROUNDING_ERROR
+        if column in ANGLES:
+            # If an axis is drawn in the opposite direction, an angle becomes its supplement.
+            angles = np.concatenate([right[:, column], wrap_angle(np.pi - right[:, column])])
+            values, least = np.concatenate([[0.0, np.pi / 2, -np.pi / 2, np.pi], angles, -angles]), TYPED_PI_ERROR
+        for value in {round(value, 12) + 0.0: value for value in values.tolist()}.values():
+            if abs(abs(value) - abs(table.rows[row, column])) > least:  # another sign is a slip of its own
+                yield wrong_number(table, row, column, value), changed_in([row], write(column, value))
 
 
 def starting_tables(table: DHTable, joint_types: str) -> Iterator[tuple[list[Fault], DHTable]]:
@@ -172,30 +188,6 @@ def starting_tables(table: DHTable, joint_types: str) -> Iterator[tuple[list[Fau
     text = f"The table is in the {other} convention, but was read as {table.convention}."
     yield faults, start
     yield [*faults, Fault("the other convention", text)], start.changed(convention=other)
-
-
-def _corrections_of_a_number(
-    table: DHTable, right: Array, variables: Sequence[tuple[int, int]]
-) -> Iterator[tuple[Fault, Change]]:
-    """Yield the corrections of one entry to a number that the arm suggests, or to a usual angle."""
-    lengths = right[:, LENGTHS].ravel()
-    for row, column in np.ndindex(table.rows.shape):
-        if (row, column) in variables:
-            continue
-        values = np.concatenate([[0.0], lengths, -lengths])
-        if column in ANGLES:
-            # If an axis is drawn in the opposite direction, an angle becomes its supplement.
-            angles = np.concatenate([right[:, column], wrap_angle(np.pi - right[:, column])])
-            values = np.concatenate([[0.0, np.pi / 2, -np.pi / 2, np.pi], angles, -angles])
-        least = TYPED_PI_ERROR if column in ANGLES else ROUNDING_ERROR
-        for value in {round(value, 12) + 0.0: value for value in values.tolist()}.values():
-            if abs(abs(value) - abs(table.rows[row, column])) > least:  # another sign is a slip of its own
-                yield wrong_number(table, row, column, value), _set(row, column, value)
-
-
-def _set(row: int, column: int, value: float) -> Change:
-    is_here = np.arange(4) == column
-    return changed_in([row], lambda rows: np.where(is_here, value, rows))
 
 
 def wrong_number(table: DHTable, row: int, column: int, value: float) -> Fault:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinlib.arrays.validation import Array
-from kinlib.chains.chain import Chain, random_configurations
+from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.alignment import CHOICES, COMPARED_CONFIGURATIONS, AxisInvariants, Map, fitted, nearest_maps
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import ROUGH, Equivalence, equivalent
@@ -52,10 +52,9 @@ class TableExplanation:
     def says_as_much(self, other: Self) -> bool:
         """Whether another explanation leads to the same table, up to full turns."""
         a, b = self.corrected, other.corrected
-        is_same = (a.convention, a.joints, a.signs.tolist()) == (b.convention, b.joints, b.signs.tolist())
-        off = a.rows - b.rows
-        off[:, 1::2] = wrap_angle(off[:, 1::2])
-        return is_same and bool(np.abs(off).max() < 1e-9)
+        if (a.convention, a.joints, a.signs.tolist()) != (b.convention, b.joints, b.signs.tolist()):
+            return False
+        return largest_difference(*(each.link_transforms(np.zeros(each.n)) for each in (a, b))) < 1e-9
 
 
 def explain_by_slips(  # noqa: PLR0917
@@ -106,19 +105,18 @@ def explain_by_numbers(
     tolerance, half = max(noise, 1e-6), np.maximum(half_unit, 1e-6)
     is_free = np.zeros(half.shape, dtype=bool)
     is_free[tuple(np.transpose(joint_entries(table.joints)))] = "zeros" not in fixed
-    same, *rough = nearest_maps(table.to_chain(), arm, fixed, tolerance, ROUGH)
-    for start in [same, *sorted(rough, key=lambda each: each.difference)[:2]]:
-        change = _few_changes(table, arm, start, fixed, np.where(is_free, 1.0, half))
-        is_changed = ~is_free & (np.abs(change) > 1.05 * half)
-        right = (table.rows + change).round(7)
-        right[:, ANGLES] = wrap_angle(right[:, ANGLES])  # a fit may have made full turns
-        nearest = table.changed(rows=np.where(is_changed, right, table.rows))
-        if equivalent(nearest, arm, fixed=fixed, tolerance=tolerance).verdict == "same":
-            off = np.abs(nearest.rows - table.rows)
-            places = sorted(np.argwhere(off > 0).tolist(), key=lambda place: -off[tuple(place)])
-            faults = [wrong_number(table, row, column, float(right[row, column])) for row, column in places]
-            return [TableExplanation(faults, nearest, 2 * len(faults))]
-    return []
+    start = min(nearest_maps(table.to_chain(), arm, fixed, tolerance, ROUGH), key=lambda each: each.difference)
+    change = _few_changes(table, arm, start, fixed, np.where(is_free, 1.0, half))
+    is_changed = ~is_free & (np.abs(change) > 1.05 * half)
+    right = (table.rows + change).round(7)
+    right[:, ANGLES] = wrap_angle(right[:, ANGLES])  # a fit may have made full turns
+    nearest = table.changed(rows=np.where(is_changed, right, table.rows))
+    if equivalent(nearest, arm, fixed=fixed, tolerance=tolerance).verdict != "same":
+        return []
+    off = np.abs(nearest.rows - table.rows)
+    places = sorted(np.argwhere(off > 0).tolist(), key=lambda place: -off[tuple(place)])
+    faults = [wrong_number(table, row, column, float(right[row, column])) for row, column in places]
+    return [TableExplanation(faults, nearest, 2 * len(faults))]
 
 
 def _few_changes(table: DHTable, arm: Chain, start: Map, fixed: frozenset[str], unit: Array) -> Array:
