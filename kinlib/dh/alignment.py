@@ -50,23 +50,22 @@ class AxisInvariants:
     def __init__(self, reference: Chain, tolerance: float) -> None:
         types, n, sines = reference.joint_types, reference.n, np.sin(neighbours(reference)[0])
         has_lines = np.array(["P" not in types[k : k + 2] for k in range(n - 1)], dtype=bool)
-        self._skew = np.flatnonzero(has_lines & (sines > 0.14))
+        is_skew = has_lines & (sines > 0.14)
         # The distance of nearly parallel lines depends on the last digits.
-        self._parallel = np.flatnonzero(has_lines & (sines < max(SAME_DISTANCE_RAD, min(0.01 * tolerance, 1e-4))))
+        is_parallel = has_lines & (sines < max(SAME_DISTANCE_RAD, min(0.01 * tolerance, 1e-4)))
         # Between two normals all lines are parallel. A helical joint changes the distance of the normals with its zero.
-        parallel, pairs = {*self._parallel.tolist()}, combinations(self._skew.tolist(), 2)
-        runs = [(i, j) for i, j in pairs if {*range(i + 1, j)} <= parallel and {*types[i + 1 : j + 1]} == {"R"}]
+        pairs = combinations(np.flatnonzero(is_skew).tolist(), 2)
+        runs = [(i, j) for i, j in pairs if is_parallel[i + 1 : j].all() and {*types[i + 1 : j + 1]} == {"R"}]
         self._runs = np.array(runs, dtype=int).reshape(-1, 2).T
         length = tolerance * (1 + float(np.ptp(reference.joint_points, axis=0).max()))
-        lengths = np.full(len(self._skew) + len(self._parallel), length)
+        moments, distances = (np.where(is_there, length, np.inf) for is_there in (is_skew, is_parallel))
         along = length / sines[self._runs].min(axis=0, initial=1.0) ** 2
-        self._tolerances = np.concatenate([np.full(n - 1, tolerance), lengths, along])
+        self._tolerances = np.concatenate([np.full(n - 1, tolerance), moments, distances, along])
         # Of more than nine joints at most two may have the sign -1.
         flips = [flip for count in range(n + 1 if n <= 9 else 3) for flip in combinations(range(n), count)]
         self._patterns = s = np.array([[-1.0 if k in flip else 1.0 for k in range(n)] for flip in flips])
         of_pairs = s[:, :-1] * s[:, 1:]
-        no_sign = np.ones((len(s), len(self._parallel)))
-        self._factors = np.hstack([of_pairs, of_pairs[:, self._skew], no_sign, s[:, self._runs[0] + 1]])
+        self._factors = np.hstack([of_pairs, of_pairs, of_pairs**2, s[:, self._runs[0] + 1]])  # a distance has no sign
         self._values = self.of(reference.lines.axis, reference.joint_points)
 
     def of(self, axis: Array, point: Array) -> Array:
@@ -83,7 +82,7 @@ class AxisInvariants:
         i, j = self._runs
         foot = point[..., j, :] + start[..., j, None] * axis[..., j, :] - point[..., i + 1, :]
         along = np.vecdot(axis[..., i + 1, :], foot) - end[..., i]
-        return np.concatenate([np.vecdot(u, v), moment[..., self._skew], distance[..., self._parallel], along], axis=-1)
+        return np.concatenate([np.vecdot(u, v), moment, distance, along], axis=-1)
 
     def violated(self, values: Array) -> Booleans:
         """Return which invariants (..., k) differ from those of the reference for every choice of signs."""

@@ -17,10 +17,7 @@ from kinlib.dh.table import Convention, validate_convention
 
 @dataclass(frozen=True)
 class Breach:
-    """One broken rule: the frame, the rule, and a sentence that says by how much.
-
-    rule  "right-handed", "z on axis", "z along axis", "origin on axis", "x perpendicular to z" or "x meets z"
-    """
+    """One broken rule: the frame, the name of the rule in the list of `check_frames`, and a sentence that says by how much."""
 
     frame: int
     rule: str

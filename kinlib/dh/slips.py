@@ -176,14 +176,12 @@ def corrections(table: DHTable, right: Array, fixed: Collection[str]) -> Iterato
 
 def starting_tables(table: DHTable, joint_types: str) -> Iterator[tuple[list[Fault], DHTable]]:
     """Yield a table in both conventions and with the joint types of an arm, and the faults that were corrected."""
-    other, faults = OTHER_CONVENTION[table.convention], list[Fault]()
-    right, moving = [*table.joints], [row for row, _ in joint_entries(table.joints)]
-    for row, letter in zip(moving, joint_types, strict=True):
-        right[row] = letter
-    for row in (row for row in moving if right[row] != table.joints[row]):
-        kind, column = ("prismatic", "d") if right[row] == "P" else ("revolute", "theta")
-        text = f"Row {row + 1}: the joint variable belongs in {column}, because this joint is {kind}."
-        faults.append(Fault("variable in the wrong column", text, row + 1, column))
+    other, faults, right = OTHER_CONVENTION[table.convention], list[Fault](), [*table.joints]
+    for (row, _), letter in zip(joint_entries(table.joints), joint_types, strict=True):
+        if letter != table.joints[row]:
+            right[row], kind, column = ("P", "prismatic", "d") if letter == "P" else ("R", "revolute", "theta")
+            text = f"Row {row + 1}: the joint variable belongs in {column}, because this joint is {kind}."
+            faults.append(Fault("variable in the wrong column", text, row + 1, column))
     start = table.changed(joints="".join(right))
     text = f"The table is in the {other} convention, but was read as {table.convention}."
     yield faults, start
