@@ -132,24 +132,26 @@ def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], tolerance: flo
     invariants = AxisInvariants(other, 100 * loose)
     s, off = invariants.sign_patterns(invariants.of(one.lines.axis, one.joint_points))
     offsets, R = _rotated(one, other, s, fixed, loose / 2)
-    offsets[:, [letter == "P" or "zeros" in fixed for letter in one.joint_types]] = 0.0
+    is_constant = np.array([letter == "P" or "zeros" in fixed for letter in one.joint_types])
+    admitted: Booleans = np.asarray((np.abs(offsets[:, is_constant]) < 0.1).all(axis=1))
+    admitted &= (s > 0).all(axis=1) | ("signs" not in fixed)
+    for end, joint, A, B in (("base", 0, np.eye(3), np.eye(3)), ("tool", -1, one.home[:3, :3], other.home[:3, :3])):
+        if end in fixed:
+            off_axis = s[:, [joint]] * (one.lines.axis[joint] @ A) - other.lines.axis[joint] @ B
+            admitted &= np.linalg.norm(off_axis, axis=1) <= 100 * loose
+    offsets[:, is_constant] = 0.0
     zeros = (np.abs(offsets) > max(loose, SAME_DISTANCE_RAD)).sum(axis=1)
     is_free = np.repeat([name not in fixed for name in ("base", "zeros", "tool")], [6, one.n, 6])
     # The zero of the first joint is a motion of the base, and that of the last one a motion of the tool.
     is_free[6] &= "base" in fixed
     is_free[-7] &= "tool" in fixed
-    for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros, off > 0.01)):
+    for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros, off > 0.01)) if admitted[k]][:MAX_STARTS]:
         X = homogeneous(R[k], np.zeros(3))
         Y = np.eye(4) if "tool" in fixed else inverse(X @ one.fk(offsets[k])) @ other.home
-        turned = X @ one.fk(s[k] * q + offsets[k]) @ Y - target
-        if ("signs" in fixed and (s[k] < 0).any()) or np.abs(turned[:, :3, :3]).max() > 100 * max(loose, 1e-3):
-            continue  # with what is fixed, the directions do not agree
-        X, change, Y, difference = fitted(one, s[k] * q + offsets[k], X, Y, target, lambda _: is_free, steps=7)
-        found.append(Map(s[k], offsets[k] + change, X, Y, difference))
-        enough = (
-            4 if min(each.difference for each in found[1:]) <= loose else MAX_STARTS
-        )  # of several, one is described best
-        if len(found) > enough:
+        starts = [fitted(one, s[k] * q + offsets[k], X, Y, target, lambda _: is_free, steps) for steps in (0, 7)]
+        maps = (Map(s[k], offsets[k] + change, X, Y, difference) for X, change, Y, difference in starts)
+        found.append(min(maps, key=lambda each: each.difference))
+        if len(found) > 4 and min(each.difference for each in found[1:]) <= loose:  # of several, one is described best
             break
     return found
 

@@ -11,7 +11,7 @@ from itertools import combinations, permutations
 import numpy as np
 
 from kinlib.arrays.formatting import format_different, format_number
-from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
+from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.table import Convention, DHTable
@@ -147,11 +147,14 @@ def changed_in(places: list[int], change: Change) -> Change:
     return in_places
 
 
-def corrections(table: DHTable, right: Array, fixed: Collection[str]) -> Iterator[tuple[Fault, Change]]:
+def corrections(
+    table: DHTable, right: Array, fixed: Collection[str], half_unit: Array
+) -> Iterator[tuple[Fault, Change]]:
     """Yield the faults that leave the joint types as they are, each with the change that corrects it, those of the whole table first.
 
-    right  (k, 4) rows of right tables of the arm, whose numbers are tried in place of wrong ones, and so are usual angles
-    fixed  with "zeros" the entries that the joints change count
+    right      (k, 4) rows of right tables of the arm, whose numbers are tried in place of wrong ones, and so are usual angles
+    fixed      with "zeros" the entries that the joints change count
+    half_unit  (m, 4) a number that is off by less has not enough digits, and is no wrong one
     """
     variables = [] if "zeros" in fixed else joint_entries(table.joints)
     for slip, places in slips_in_places(len(table.rows)):
@@ -164,11 +167,11 @@ def corrections(table: DHTable, right: Array, fixed: Collection[str]) -> Iterato
     for row, column in np.ndindex(table.rows.shape):
         if (row, column) in variables:
             continue
-        values, least = np.concatenate([[0.0], lengths, -lengths]), ROUNDING_ERROR
+        values, least = np.concatenate([[0.0], lengths, -lengths]), max(ROUNDING_ERROR, 1.05 * half_unit[row, column])
         if column in ANGLES:
             # If an axis is drawn in the opposite direction, an angle becomes its supplement.
             angles = np.concatenate([right[:, column], wrap_angle(np.pi - right[:, column])])
-            values, least = np.concatenate([[0.0, np.pi / 2, -np.pi / 2, np.pi], angles, -angles]), TYPED_PI_ERROR
+            values = np.concatenate([[0.0, np.pi / 2, -np.pi / 2, np.pi], angles, -angles])
         for value in {round(value, 12) + 0.0: value for value in values.tolist()}.values():
             if abs(abs(value) - abs(table.rows[row, column])) > least:  # another sign is a slip of its own
                 yield wrong_number(table, row, column, value), changed_in([row], write(column, value))

@@ -164,9 +164,10 @@ def _candidates(  # noqa: PLR0917
     if count <= 0:
         return [((0, 0.0), [], table.rows)] * (count == 0)
     right = reference if isinstance(reference, DHTable) else assign_frames(arm, table.convention).table
+    right = right.converted(table.convention)
     known = [
         each
-        for each in corrections(table, right.converted(table.convention).rows, fixed)
+        for each in corrections(table, right.rows, fixed, half_unit)
         if np.abs(each[1](table.rows) - table.rows).max() > 1e-12
     ]
     rows, start = np.array([change(table.rows) for _, change in known]), table.rows
