@@ -21,7 +21,6 @@ from kinlib.arrays.formatting import format_degrees, format_matrix, format_numbe
 from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import youbot
-from kinlib.dh.alignment import CHOICES
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import describe_pose, equivalent, measured_difference
@@ -29,17 +28,9 @@ from kinlib.dh.explanation.rounding import with_right_angles
 from kinlib.dh.explanation.search import TableExplanation, explain_by_choices
 from kinlib.dh.parsing import Assumption
 from kinlib.dh.read_table import read_table
-from kinlib.dh.slips import OTHER_CONVENTION, WRONG_NUMBER, Fault
-from kinlib.dh.table import (
-    PRINTED_DIGITS,
-    Convention,
-    DHTable,
-    format_rows,
-    headings,
-    snapped,
-    snapped_pose,
-    table_frames,
-)
+from kinlib.dh.slips import CHOICES, OTHER_CONVENTION, WRONG_NUMBER, Fault
+from kinlib.dh.table import PRINTED_DIGITS, Convention, DHTable, format_rows, headings, snapped, table_frames
+from kinlib.rigid.lie import homogeneous, nearest_rotation
 from kinlib.urdf.chains import load_urdf
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.viewer.viewer import Viewer, explore, opening
@@ -349,7 +340,8 @@ def _without_noise(table: DHTable) -> DHTable:
     """Return a table whose base and tool have 0 and 1 where they are off by the digits of a typed pi / 2."""
     ends = {}
     for name, T in (("base", table.base), ("tool", table.tool)):
-        ends[name] = snapped_pose(T, 1, TYPED_PI_ERROR, snapped(T[:3, 3], 1e-6, 1e-8))
+        R = nearest_rotation(snapped(T[:3, :3], 1, TYPED_PI_ERROR))
+        ends[name] = homogeneous(R, snapped(T[:3, 3], 1e-6, 1e-8))
     return table.changed(**ends)
 
 

@@ -18,10 +18,9 @@ from kincourse.answers.table_rows import POSE_TOLERANCE_FACTOR, wrong_rows
 from kincourse.mistakes.dh import slips_of_table, symbol, with_symbols
 from kinlib.arrays import validation
 from kinlib.chains.chain import largest_difference, random_configurations
-from kinlib.dh.alignment import CHOICES
 from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import Equivalence, equivalent
-from kinlib.dh.slips import Fault
+from kinlib.dh.slips import CHOICES, Fault
 from kinlib.dh.table import DHTable
 from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable
 from misstep.answers.likeness import UNTOUCHED

@@ -22,13 +22,10 @@ from kinlib.arrays.tolerances import PARALLEL_TOL_RAD, SAME_DISTANCE_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.common_normal import frame_axes
+from kinlib.dh.slips import CHOICES
 from kinlib.rigid.lie import adjoint, cross, exp, homogeneous, inverse, perpendicular, vee, wrap_angle
 
 Booleans = NDArray[np.bool_]
-
-CHOICES = {"base": "wrong base", "tool": "wrong tool", "zeros": "another zero", "signs": "sign of a joint value"}
-"""What two descriptions of one mechanism may choose: the frames at both ends, the zero and the sign of each joint; and the name of each
-as a fault, where it is fixed."""
 
 
 def neighbours(chain: Chain) -> tuple[Array, Array]:

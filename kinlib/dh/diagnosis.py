@@ -19,11 +19,11 @@ from kinlib.arrays.formatting import format_number
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.alignment import CHOICES, neighbours
+from kinlib.dh.alignment import neighbours
 from kinlib.dh.equivalence import Equivalence, equivalent, measured_difference
 from kinlib.dh.explanation.rounding import rounding_effect, typed_half_units, with_right_angles
 from kinlib.dh.explanation.search import TableExplanation, explain_by_choices, explain_by_numbers, explain_by_slips
-from kinlib.dh.slips import ANGLES, WRONG_NUMBER, Fault
+from kinlib.dh.slips import ANGLES, CHOICES, WRONG_NUMBER, Fault
 from kinlib.dh.table import DHTable
 
 MAX_TOLD, MAX_DIFFERENT_ENTRIES, MAX_ROUNDED_TOL = 3, 8, 2e-2

@@ -22,9 +22,9 @@ from kinlib.arrays.formatting import format_degrees, format_different, format_nu
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, NEARLY_PARALLEL_RAD, PARALLEL_TOL_RAD, ROUNDING_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
-from kinlib.dh.alignment import CHOICES, Booleans, Map, nearest_maps, neighbours
+from kinlib.dh.alignment import Booleans, Map, nearest_maps, neighbours
 from kinlib.dh.parsing import COLUMNS, MAX_LENGTH_M, joint_entries
-from kinlib.dh.slips import Fault
+from kinlib.dh.slips import CHOICES, Fault
 from kinlib.dh.table import DHTable, snapped, snapped_pose
 from kinlib.rigid.lie import log, wrap_angle
 

@@ -22,6 +22,10 @@ LENGTHS, ANGLES = (A, D), (ALPHA, THETA)
 
 OTHER_CONVENTION: dict[Convention, Convention] = {"standard": "modified", "modified": "standard"}
 
+CHOICES = {"base": "wrong base", "tool": "wrong tool", "zeros": "another zero", "signs": "sign of a joint value"}
+"""What two descriptions of one mechanism may choose: the frames at both ends, the zero and the sign of each joint; and the name of each
+as a fault, where it is fixed."""
+
 WRONG_NUMBER = "wrong number"
 """The fault that is corrected by a number that the table does not suggest; so it could explain almost anything."""
 

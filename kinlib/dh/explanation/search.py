@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.alignment import CHOICES, COMPARED_CONFIGURATIONS, AxisInvariants, Map, fitted, nearest_maps
+from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, AxisInvariants, Map, fitted, nearest_maps
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import ROUGH, Equivalence, equivalent
 from kinlib.dh.parsing import joint_entries
-from kinlib.dh.slips import ANGLES, WRONG_NUMBER, Fault, corrections, starting_tables, wrong_number
+from kinlib.dh.slips import ANGLES, CHOICES, WRONG_NUMBER, Fault, corrections, starting_tables, wrong_number
 from kinlib.dh.table import DHTable, joint_axes
 from kinlib.rigid.lie import wrap_angle
 

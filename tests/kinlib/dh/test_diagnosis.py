@@ -10,9 +10,8 @@ from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, assign_frames, diagnose, equivalent
-from kinlib.dh.alignment import CHOICES
 from kinlib.dh.explanation.rounding import rounding_effect, typed_half_units
-from kinlib.dh.slips import changed_in, slips_in_places
+from kinlib.dh.slips import CHOICES, changed_in, slips_in_places
 
 PUMA = kl.robots.puma560()
 STANDARD = assign_frames(PUMA, convention="standard").table
