@@ -338,11 +338,10 @@ def _cause(explanation: TableExplanation) -> str:
 
 def _without_noise(table: DHTable) -> DHTable:
     """Return a table whose base and tool have 0 and 1 where they are off by the digits of a typed pi / 2."""
-    ends = {}
-    for name, T in (("base", table.base), ("tool", table.tool)):
-        R = nearest_rotation(snapped(T[:3, :3], 1, TYPED_PI_ERROR))
-        ends[name] = homogeneous(R, snapped(T[:3, 3], 1e-6, 1e-8))
-    return table.changed(**ends)
+    ends = np.array([table.base, table.tool])
+    R = nearest_rotation(snapped(ends[:, :3, :3], 1, TYPED_PI_ERROR))
+    base, tool = homogeneous(R, snapped(ends[:, :3, 3], 1e-6, 1e-8))
+    return table.changed(base=base, tool=tool)
 
 
 def _both_conventions(arm: Chain) -> Iterator[str]:

@@ -25,8 +25,8 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.common_normal import CommonNormal, common_normal, frame_axes
 from kinlib.dh.parsing import MAX_LENGTH_M
-from kinlib.dh.table import Convention, DHTable, format_rows, snapped, snapped_pose, validate_convention
-from kinlib.rigid.lie import cross, homogeneous
+from kinlib.dh.table import Convention, DHTable, format_rows, snapped, validate_convention
+from kinlib.rigid.lie import cross, homogeneous, nearest_rotation
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,7 +101,8 @@ def _snapped(found: FrameAssignment) -> FrameAssignment:
     table, chain = found.table, found.chain
     degrees, rows = np.degrees(table.rows[:, [1, 3]]), _short(table.rows)
     rows[:, [1, 3]] = np.radians(snapped(degrees, 1, np.degrees(TYPED_PI_ERROR)).round(4)) + 0.0
-    base, tool = (snapped_pose(T, 1e-4, TYPED_PI_ERROR, _short(T[:3, 3])) for T in (table.base, table.tool))
+    ends = np.array([table.base, table.tool])
+    base, tool = homogeneous(nearest_rotation(snapped(ends[:, :3, :3], 1e-4, TYPED_PI_ERROR)), _short(ends[:, :3, 3]))
     clean = table.changed(rows=rows, base=base, tool=tool)
     return FrameAssignment(chain, clean, clean.frames(np.zeros(chain.n)), found.normals)
 

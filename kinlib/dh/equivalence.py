@@ -25,8 +25,8 @@ from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.alignment import Booleans, Map, nearest_maps, neighbours
 from kinlib.dh.parsing import COLUMNS, MAX_LENGTH_M, joint_entries
 from kinlib.dh.slips import CHOICES, Fault
-from kinlib.dh.table import DHTable, snapped, snapped_pose
-from kinlib.rigid.lie import log, wrap_angle
+from kinlib.dh.table import DHTable, snapped
+from kinlib.rigid.lie import homogeneous, log, nearest_rotation, wrap_angle
 
 Verdict = Literal["same", "different", "undecided"]
 
@@ -81,7 +81,12 @@ class Equivalence(Map):
         return f"{words}. {self.reason}"
 
     def choices(self, table: DHTable | None = None, names: Collection[str] = CHOICES) -> list[Fault]:
-        """Describe the choices of these names in which the two differ; if the first is a table, as corrections of its entries and ends."""
+        """Describe the choices of these names in which the two differ; if the first is a table, as corrections of its entries and ends.
+
+        >>> found = equivalent(kl.robots.rpr(), kl.robots.rpr().changed(screws=kl.robots.rpr().screws * [[-1], [1], [1]]))
+        >>> found.choices()[0].text
+        'joint 1: q counts in the opposite direction.'
+        """
         found, accuracy = list[Fault](), min(self.tolerance, max(self.difference, EQUIVALENCE_TOL))
         entries = joint_entries(table.joints if table else self.joint_types.replace("H", "R"))
         for joint, ((row, column), offset) in enumerate(zip(entries, self.offsets, strict=True)):
@@ -193,10 +198,9 @@ def equivalent(
 def _without_noise(found: Map, joint_types: str, tolerance: float) -> Map:
     """Return a map whose angles are right angles, and whose numbers are 0, where this is within the tolerance."""
     units = np.where([letter == "P" for letter in joint_types], MAX_LENGTH_M, np.pi / 2)
-    base, tool = (
-        snapped_pose(T, 1, min(tolerance, 0.02), snapped(T[:3, 3], MAX_LENGTH_M, tolerance))
-        for T in (found.base, found.tool)
-    )
+    ends = np.array([found.base, found.tool])
+    R = nearest_rotation(snapped(ends[:, :3, :3], 1, min(tolerance, 0.02)))  # of frames with parallel axes
+    base, tool = homogeneous(R, snapped(ends[:, :3, 3], MAX_LENGTH_M, tolerance))
     return replace(found, offsets=snapped(found.offsets, units, tolerance), base=base, tool=tool)
 
 

@@ -36,7 +36,7 @@ from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, MAX_LENGTH_M, is_plausible_angle, joint_entries
 from kinlib.dh.table_text import read_rows
-from kinlib.rigid.lie import homogeneous, nearest_rotation
+from kinlib.rigid.lie import homogeneous
 from kinlib.rigid.screw import screw
 
 Convention = Literal["standard", "modified"]
@@ -281,11 +281,6 @@ def snapped(numbers: Array, unit: Array | float, tolerance: Array | float) -> Ar
     """
     near = np.round(numbers / unit) * unit + 0.0
     return np.where(np.abs(numbers - near) <= tolerance, near, numbers)
-
-
-def snapped_pose(T: Array, unit: float, tolerance: float, position: Array) -> Array:
-    """Replace the entries of a rotation by those that they are near, and give it another position: the nearest pose to that."""
-    return homogeneous(nearest_rotation(snapped(T[:3, :3], unit, tolerance)), position)
 
 
 def format_rows(
