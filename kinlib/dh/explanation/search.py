@@ -1,10 +1,9 @@
 """Search for the slips that explain a table, or for choices that are fixed, or for a few other numbers.
 
-Slips are found by a list of candidates, a filter by invariants, a price, and a full comparison.
-
-All slips of `kinlib.dh.slips` are corrected in all places at once, as arrays of rows. Most corrections are refuted by the invariants
-of the axes, and only the rest is compared with the arm. The price of a correction is the number of entries that it edits, in which a
-number that it invents counts twice, because some number explains almost anything; then how large and unusual the change is.
+Slips are found by a list of candidates, a filter by invariants, a price, and a full comparison. All slips of `kinlib.dh.slips` are
+corrected in all places at once, as arrays of rows. Most corrections are refuted by the invariants of the axes, and only the rest is
+compared with the arm. The price of a correction is the number of entries that it edits, in which a number that it invents counts
+twice, because some number explains almost anything; then how large and unusual the change is.
 """
 
 from collections.abc import Collection, Sequence
@@ -15,6 +14,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
+from kinlib.arrays.tolerances import MAX_ROTATION_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, AxisInvariants, Map, fitted, nearest_maps
@@ -100,8 +100,8 @@ def explain_by_numbers(
     table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: Array, noise: float
 ) -> list[TableExplanation]:
     """Find few other numbers with which a table describes the arm, the largest difference first; [] if none are found."""
-    if table.joints.replace("F", "") != arm.joint_types:
-        return []
+    if table.joints.replace("F", "") != arm.joint_types or np.abs(table.rows).max() > MAX_ROTATION_RAD:
+        return []  # a fit resolves no longer length
     tolerance, half = max(noise, 1e-6), np.maximum(half_unit, 1e-6)
     is_free = np.zeros(half.shape, dtype=bool)
     is_free[tuple(np.transpose(joint_entries(table.joints)))] = "zeros" not in fixed

@@ -240,4 +240,5 @@ def test_a_length_that_no_fit_resolves_is_no_error():
     table = assign_frames(arm, convention="standard").table
     assert np.abs(table.rows).max() > 1e9
     assert diagnose(with_entries(table, (3, "a", 0.5)), arm).verdict == "undecided"
-    assert diagnose(with_entries(STANDARD, (2, "d", 4e9)), PUMA, fixed=CHOICES).verdict == "wrong"
+    for other in ((), ((1, "a", 0.3), (4, "alpha", 0.7))):
+        assert diagnose(with_entries(STANDARD, (2, "d", 4e9), *other), PUMA, fixed=CHOICES).verdict == "wrong"
