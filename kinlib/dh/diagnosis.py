@@ -8,6 +8,7 @@ up to choices that are fixed is explained by these choices, and what nothing exp
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
@@ -24,7 +25,8 @@ from kinlib.dh.equivalence import Equivalence, equivalent, measured_difference
 from kinlib.dh.explanation.rounding import rounding_effect, typed_half_units, with_right_angles
 from kinlib.dh.explanation.search import TableExplanation, explain_by_choices, explain_by_numbers, explain_by_slips
 from kinlib.dh.slips import ANGLES, CHOICES, WRONG_NUMBER, Fault
-from kinlib.dh.table import DHTable
+from kinlib.dh.table import Convention, DHTable
+from kinlib.urdf.chains import load_urdf
 
 MAX_TOLD, MAX_DIFFERENT_ENTRIES, MAX_ROUNDED_TOL = 3, 8, 2e-2
 """How many equally simple explanations the text lists, and how many different entries; and up to which effect of rounding a
@@ -140,13 +142,14 @@ def diagnose(
     reference: Any,
     fixed: Collection[str] = (),
     *,
+    convention: Convention | None = None,
     tolerance: float | None = None,
     in_pairs: bool = True,
 ) -> Diagnosis:
     """Find the mistakes in a table, given the arm that it is meant to describe.
 
-    table      a DHTable
-    reference  the arm: a chain, such as `load_urdf` returns, or another table
+    table      a DHTable; or its rows, as DHTable takes them, with `convention`
+    reference  the arm: a chain, the path or the text of a URDF file, or another table
     fixed      what may not differ: any of "base", "tool", "zeros" and "signs". By default a table is right if it has the motions
                of the arm up to these four choices; with all four it is right only if its poses are those of the arm
     tolerance  how far the poses of a right table may be off, in metres and radians. By default 1e-8, and a table is not accused
@@ -159,6 +162,10 @@ def diagnose(
     >>> print(diagnose(printed.changed(convention="standard"), kl.robots.puma560()))
     The table is in the modified convention, but was read as standard.
     """
+    if convention is not None and not isinstance(table, DHTable):
+        table = DHTable(table, convention=convention)
+    if isinstance(reference, str | os.PathLike):
+        reference = load_urdf(reference)
     validation.instance(table, "table", DHTable)
     validation.instance(reference, "reference", Chain, DHTable)
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
