@@ -69,6 +69,8 @@ def setup(app: Sphinx) -> dict[str, Any]:
 
 def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
     """Typeset the formulas in the HTML of a page, write its images to files, and keep punctuation with its formula."""
+    for image in doctree.findall(nodes.image):
+        image["loading"] = "lazy"  # the gallery alone has more than twenty
     for formula in list(doctree.findall(nodes.math)):
         keep_punctuation(formula)
     for block in list(doctree.findall(nodes.math_block)):
@@ -136,13 +138,14 @@ def typeset(found: re.Match[str]) -> str:
 
 
 def extract_images(html: HtmlElement, folder: Path, address: str) -> None:
-    """Write the images of HTML to files: at most 150 kB a page, compressed, so all are loaded at once and none is missing in print."""
+    """Write the images of HTML to files, which a browser fetches only when they are scrolled into view, or printed (course.js)."""
     for image in html.xpath(".//img[starts-with(@src, 'data:image/')]"):
         kind, _, encoded = image.get("src").partition(";base64,")
         data, ending = base64.b64decode(encoded), "png" if kind.endswith("png") else "svg"
         name = f"{hashlib.sha256(data).hexdigest()[:20]}.{ending}"
         folder.mkdir(parents=True, exist_ok=True)
         (folder / name).write_bytes(data)
+        image.set("loading", "lazy")
         image.set("src", f"{address}/{name}")
         if ending == "svg":  # so that the page does not jump when it is loaded
             for side, size in etree.fromstring(data).attrib.items():

@@ -569,6 +569,9 @@
   addEventListener('load', () => keepForLater().catch(() => {})); // a browser may refuse to store
   openFolds();
   addEventListener('hashchange', openFolds);
+  addEventListener('beforeprint', () => {
+    for (const image of all('img[loading]')) image.loading = 'eager'; // on paper nothing is scrolled into view
+  });
   addEventListener('resize', makeWideContentFocusable);
   document.addEventListener('toggle', makeWideContentFocusable, true);
 })();
