@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, cached_property, partial
+from functools import cache, cached_property, partial, reduce
 from itertools import accumulate
 from pathlib import Path
 from typing import Any, Literal, cast, get_args
@@ -36,7 +36,6 @@ from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, MAX_LENGTH_M, is_plausible_angle, joint_entries
 from kinlib.dh.table_text import read_rows
-from kinlib.rigid.lie import homogeneous
 from kinlib.rigid.screw import screw
 
 Convention = Literal["standard", "modified"]
@@ -64,12 +63,15 @@ def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike,
     values = zip(COLUMNS, (a, alpha, d, theta), strict=True)
     a, alpha, d, theta = np.broadcast_arrays(*(validation.array(value, name) for name, value in values))
     ca, sa, ct, st = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
+    T = np.zeros((*a.shape, 4, 4))
+    T[..., 3, 3] = 1.0
     if convention == "standard":
         rows = [[ct, -st * ca, st * sa, a * ct], [st, ct * ca, -ct * sa, a * st], [0 * st, sa, ca, d]]
     else:
         rows = [[ct, -st, 0 * st, a], [st * ca, ct * ca, -sa, -sa * d], [st * sa, ct * sa, ca, ca * d]]
-    T = np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
-    return homogeneous(T[..., :3], T[..., 3])
+    for i, row in enumerate(rows):
+        T[..., i, :] = np.stack(row, axis=-1)
+    return T
 
 
 @dataclass(frozen=True, eq=False, repr=False, init=False)
@@ -211,7 +213,8 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         >>> DHTable([[0.4, 0, 0, 0]], convention="modified").fk(np.zeros((1000, 1))).shape
         (1000, 4, 4)
         """
-        return np.asarray(self.frames(q, rows)[..., -1, :, :] @ self.tool)
+        links = np.moveaxis(self.link_transforms(q, rows), -3, 0)
+        return reduce(np.matmul, [*links, self.tool], self.base)
 
     def to_chain(self) -> Chain:
         """Convert the table to screw axes and a home pose: the z of each joint, in {s} at home.
